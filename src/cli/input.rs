@@ -1,0 +1,55 @@
+//! Reading an input mesh, and saying what is wrong with it.
+
+use std::path::Path;
+
+use triquad::mesh::{self, FaceList, MeshError};
+use triquad::{Survey, Triangulation};
+
+use super::{Failure, stdio};
+
+/// What may be done to a mesh to make it a triangulation.
+#[derive(clap::Args, Clone, Copy)]
+pub struct Repairs {
+    /// Flip faces until neighbours agree on orientation
+    #[arg(long)]
+    pub orient: bool,
+    /// Cut faces of four or more corners into triangles first
+    #[arg(long)]
+    pub triangulate: bool,
+}
+
+/// Reads a mesh; tells on standard error what the file holds and is not carried over.
+pub fn read(path: &Path) -> Result<FaceList, Failure> {
+    let list = mesh::read(path).map_err(|error| mesh_failure(path, &error))?;
+    if !list.left_out.is_empty() {
+        stdio::complain(&format!("{}: note: not carried over: {}", path.display(), list.left_out.join(", ")));
+    }
+    Ok(list)
+}
+
+/// Reads a mesh and makes sure that it is a triangulation of closed surfaces.
+pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<(FaceList, Triangulation), Failure> {
+    let mut list = read(path)?;
+    if repairs.triangulate {
+        list.triangulate();
+    }
+    let triangulation = Triangulation::build_oriented(&mut list, repairs.orient);
+    let triangulation = triangulation.map_err(|survey| refusal(path, &survey))?;
+    Ok((list, triangulation))
+}
+
+/// A file that could not be read or written.
+pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
+    Failure::bad(format!("{}: {error}; {}", path.display(), error.remedy()))
+}
+
+/// A mesh that is no triangulation: its first broken law, and how many others there are.
+pub fn refusal(path: &Path, survey: &Survey) -> Failure {
+    let first = survey.violations[0];
+    let others = match survey.violations.len() - 1 {
+        0 => String::new(),
+        1 => " (and 1 other law is broken, see 'triquad info')".into(),
+        more => format!(" (and {more} other laws are broken, see 'triquad info')"),
+    };
+    Failure::bad(format!("{}: {first} [{}]{others}; {}", path.display(), first.law.name(), first.law.remedy()))
+}

@@ -1,0 +1,82 @@
+//! The verbs of the command line, one file each.
+//!
+//! Exit codes: 0 done; 1 a check said no; 2 bad input or usage, with one line on standard error that
+//! names the file, the place, the law and the remedy.
+
+mod check;
+mod convert;
+mod info;
+mod input;
+mod machine;
+mod progress;
+mod stdio;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// All-quadrilateral meshes from triangle meshes of closed surfaces.
+///
+/// Pairs up edge-adjacent triangles so that none is left over and removes the edge between the two
+/// of each pair: every vertex stays where it is, every other edge stays, and every face is a quad.
+/// That always works on a closed surface (Petersen's theorem).
+#[derive(Parser)]
+#[command(
+    version,
+    after_help = "Formats: .obj .ply .off .stl (read only), each also with .gz; '-' is OBJ on standard \
+                  input or output.\nExit codes: 0 done, 1 a check said no, 2 bad input or usage.\n\n\
+                  Example: triquad convert bunny.obj -o bunny-quads.obj"
+)]
+struct Arguments {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    Convert(convert::Arguments),
+    Check(check::Arguments),
+    Info(info::Arguments),
+}
+
+/// Why a verb ends without success: an exit code and a line for standard error.
+pub struct Failure {
+    code: u8,
+    message: String,
+}
+
+impl Failure {
+    /// A check said no.
+    fn no(message: String) -> Self {
+        Self { code: 1, message }
+    }
+
+    /// Bad input or usage.
+    fn bad(message: String) -> Self {
+        Self { code: 2, message }
+    }
+}
+
+/// Runs the verb that the arguments name.
+pub fn main() -> ExitCode {
+    // An interrupted process leaves no half-written file; what is finished stays.
+    let handler = || {
+        triquad::atomic_file::abandon_all();
+        std::process::exit(130);
+    };
+    if let Err(error) = ctrlc::set_handler(handler) {
+        stdio::complain(&format!("interrupts will not be cleaned up after: {error}"));
+    }
+    let result = match Arguments::parse().verb {
+        Verb::Convert(arguments) => convert::run(&arguments),
+        Verb::Check(arguments) => check::run(&arguments),
+        Verb::Info(arguments) => info::run(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            stdio::complain(&failure.message);
+            ExitCode::from(failure.code)
+        }
+    }
+}

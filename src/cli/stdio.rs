@@ -1,0 +1,21 @@
+//! Printing that does not panic when nobody listens any more.
+
+use std::io::{self, ErrorKind, Write};
+
+use super::Failure;
+
+/// Prints a line on standard output. A reader that has gone away is no failure.
+pub fn say(line: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match writeln!(out, "{line}").and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::bad(format!("standard output: {error}; check where it is redirected to")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Prints a line on standard error.
+pub fn complain(line: &str) {
+    let _ = writeln!(io::stderr().lock(), "triquad: {line}");
+}

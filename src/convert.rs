@@ -1,0 +1,207 @@
+//! The chain from triangles to quads, and the only readings of the clock.
+
+use crate::augmentation::{Augmentation, AugmentationStats, make_perfect};
+use crate::clock::{Clock, SystemClock};
+use crate::mesh::FaceList;
+use crate::pairing::Algorithm;
+use crate::quadrangulation::{CheckReport, Mismatch, Quadrangulation, check_faces};
+use crate::random::Random;
+use crate::triangulation::{Survey, Triangulation};
+
+/// How to convert.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// How triangles are paired at first.
+    pub algorithm: Algorithm,
+    /// How the pairing is made perfect.
+    pub augmentation: Augmentation,
+    /// Master seed of everything random.
+    pub seed: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { algorithm: Algorithm::Triquad, augmentation: Augmentation::Local, seed: 0 }
+    }
+}
+
+/// A stage of a conversion, for those who want to show that something happens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Adjacency and validation.
+    Building,
+    /// The initial pairing.
+    Pairing,
+    /// Augmenting paths: how many are known to be needed.
+    Augmenting(usize),
+    /// Quads and their check.
+    Checking,
+}
+
+/// Is told what a conversion does.
+pub trait Progress {
+    /// A stage begins.
+    fn stage(&mut self, _stage: Stage) {}
+    /// One more augmenting path has been found.
+    fn path_found(&mut self) {}
+}
+
+impl Progress for () {}
+
+/// A conversion's result, counts and times. Times are in seconds.
+#[derive(Clone, Debug)]
+pub struct Conversion {
+    /// The quads.
+    pub quadrangulation: Quadrangulation,
+    /// Triangles k that the initial pairing left unpaired: column (c) of the paper's tables.
+    pub unpaired_triangles: usize,
+    /// Edges of the triangulation whose triangles were paired that the input does not have.
+    pub edge_flips: usize,
+    /// What the augmentation did.
+    pub augmentation: AugmentationStats,
+    /// Column (a): from the triangulation to the initial pairing, its dual graph included.
+    pub pairing_seconds: f64,
+    /// Column (d): from the initial pairing to the perfect one.
+    pub augmentation_seconds: f64,
+}
+
+/// What converting a face list told: counts and, in seconds, times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    /// Referenced vertices n_v.
+    pub vertices: usize,
+    /// Edges n_e of the triangulation.
+    pub edges: usize,
+    /// Triangles n_f.
+    pub triangles: usize,
+    /// Genus, summed over components.
+    pub genus: usize,
+    /// Connected components.
+    pub components: usize,
+    /// Column (c), see [`Conversion`].
+    pub unpaired_triangles: usize,
+    /// See [`Conversion`].
+    pub edge_flips: usize,
+    /// What the augmentation did.
+    pub augmentation: AugmentationStats,
+    /// What the check of the result found.
+    pub check: CheckReport,
+    /// Adjacency and validation, with the flips of `--orient`.
+    pub build_seconds: f64,
+    /// Column (a), see [`Conversion`].
+    pub pairing_seconds: f64,
+    /// Column (d), see [`Conversion`].
+    pub augmentation_seconds: f64,
+    /// The check of the result, from the two meshes alone.
+    pub check_seconds: f64,
+}
+
+impl Summary {
+    /// Column (b): the share of triangles that the initial pairing paired, in percent.
+    pub fn paired_percent(&self) -> f64 {
+        100.0 * (self.triangles - self.unpaired_triangles) as f64 / self.triangles as f64
+    }
+
+    /// Column (e): (a) + (d).
+    pub fn total_seconds(&self) -> f64 {
+        self.pairing_seconds + self.augmentation_seconds
+    }
+}
+
+/// Why there is no quad mesh.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum ConvertError {
+    /// The input is no triangulation of closed surfaces; the survey tells why.
+    #[error("{0}")]
+    Refused(Box<Survey>),
+    /// The result failed its check: a mistake of ours.
+    #[error("the result failed its check, please report this: {0}")]
+    Wrong(Mismatch),
+}
+
+/// Converts a triangulation. Expected O(n) time.
+///
+/// ```
+/// use triquad::{Quadrangulation, Triangulation, convert, mesh::FaceList};
+///
+/// let tetrahedron = vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+/// let points = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// let triangulation = Triangulation::build(&FaceList::from_triangles(points, tetrahedron))?;
+/// let quadrangulation: Quadrangulation = convert(&triangulation, &Default::default());
+/// assert_eq!(quadrangulation.len(), 2);
+/// # Ok::<(), Box<triquad::Survey>>(())
+/// ```
+pub fn convert(triangulation: &Triangulation, settings: &Settings) -> Quadrangulation {
+    convert_timed(triangulation, settings, &SystemClock::default(), &mut ()).quadrangulation
+}
+
+/// Like [`convert`], with counts and times. Expected O(n) time.
+pub fn convert_timed(
+    triangulation: &Triangulation,
+    settings: &Settings,
+    clock: &impl Clock,
+    progress: &mut dyn Progress,
+) -> Conversion {
+    progress.stage(Stage::Pairing);
+    let mut random = Random::stream(settings.seed, &[settings.algorithm.id()]);
+    let (initial, pairing_seconds) = clock.time(|| settings.algorithm.pair(triangulation, &mut random));
+    let unpaired_triangles = initial.matching.unpaired_count();
+
+    progress.stage(Stage::Augmenting(unpaired_triangles / 2));
+    let on_path = &mut || progress.path_found();
+    let ((perfect, augmentation), augmentation_seconds) =
+        clock.time(|| make_perfect(&initial.dual, initial.matching, settings.augmentation, on_path));
+
+    Conversion {
+        quadrangulation: Quadrangulation::new(&initial.triangulation, &perfect),
+        unpaired_triangles,
+        edge_flips: initial.edge_flips,
+        augmentation,
+        pairing_seconds,
+        augmentation_seconds,
+    }
+}
+
+/// Converts a face list into one of quads on the same vertices, checks the result, and tells counts
+/// and times. With `flip_faces`, faces that disagree on orientation are flipped first.
+///
+/// # Errors
+/// The input breaks a law.
+///
+/// # Cost
+/// O(n) expected; at its peak about 100 bytes a triangle, the list included.
+pub fn convert_list(
+    mut list: FaceList,
+    flip_faces: bool,
+    settings: &Settings,
+    clock: &impl Clock,
+    progress: &mut dyn Progress,
+) -> Result<(FaceList, Summary), ConvertError> {
+    progress.stage(Stage::Building);
+    let (built, build_seconds) = clock.time(|| Triangulation::build_oriented(&mut list, flip_faces));
+    let triangulation = built.map_err(ConvertError::Refused)?;
+    let conversion = convert_timed(&triangulation, settings, clock, progress);
+
+    progress.stage(Stage::Checking);
+    let quads = conversion.quadrangulation.faces();
+    let attributes = conversion.quadrangulation.carry_attributes(&triangulation, &list);
+    let (check, check_seconds) = clock.time(|| check_faces(&quads, &list.faces, list.positions.len()));
+    let summary = Summary {
+        vertices: triangulation.vertex_count(),
+        edges: triangulation.edge_count(),
+        triangles: triangulation.triangle_count(),
+        genus: triangulation.genus(),
+        components: triangulation.component_count(),
+        unpaired_triangles: conversion.unpaired_triangles,
+        edge_flips: conversion.edge_flips,
+        augmentation: conversion.augmentation,
+        check: check.map_err(ConvertError::Wrong)?,
+        build_seconds,
+        pairing_seconds: conversion.pairing_seconds,
+        augmentation_seconds: conversion.augmentation_seconds,
+        check_seconds,
+    };
+    list.faces = quads;
+    list.attributes = attributes.map(Box::new);
+    Ok((list, summary))
+}

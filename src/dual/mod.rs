@@ -1,0 +1,7 @@
+//! The dual graph of a triangulation and matchings in it (Lemos et al., section 2).
+
+mod graph;
+mod matching;
+
+pub use graph::{DualGraph, NotADualGraph};
+pub use matching::{Matching, PerfectMatching};

@@ -1,0 +1,41 @@
+//! All-quadrilateral meshes from triangulations of closed surfaces.
+//!
+//! Any triangulation of a closed surface can be turned into a quadrangulation with the same vertices
+//! by pairing up edge-adjacent triangles perfectly: the dual graph is 3-regular and bridgeless, and
+//! such a graph has a perfect matching (Petersen's theorem). The call is [`convert()`]; the parts
+//! follow Lemos, Ramaswami and Siqueira, *An Experimental Comparison of Algorithms for Converting
+//! Triangulations of Closed Surfaces into Quadrangulations*:
+//!
+//! | module | what | source |
+//! |---|---|---|
+//! | [`mesh`] | files: OBJ, PLY, OFF, STL → [`FaceList`](mesh::FaceList), unchecked | |
+//! | [`triangulation`] | half-edges, and the laws that make a face list a triangulation | section 2 |
+//! | [`dual`] | the dual graph and matchings in it | section 2 |
+//! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
+//! | [`pairing`] | initial pairings: SG, PS, ours | section 3 |
+//! | [`quadrangulation`] | the quads, and a check that trusts nothing | section 2 |
+//! | [`convert`](mod@convert) | the chain, timed | section 4 |
+//!
+//! A module uses only what stands above it. One type per stage is the proof that the stage before
+//! was done: `FaceList → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.
+
+pub mod atomic_file;
+pub mod augmentation;
+pub mod clock;
+pub mod convert;
+mod disjoint_sets;
+pub mod dual;
+pub mod mesh;
+pub mod pairing;
+pub mod quadrangulation;
+pub mod random;
+pub mod triangulation;
+
+pub use augmentation::{Augmentation, AugmentationStats, make_maximum, make_perfect};
+pub use convert::{
+    Conversion, ConvertError, Progress, Settings, Stage, Summary, convert, convert_list, convert_timed,
+};
+pub use dual::{DualGraph, Matching, PerfectMatching};
+pub use pairing::Algorithm;
+pub use quadrangulation::{CheckReport, Mismatch, Quadrangulation, check};
+pub use triangulation::{Element, Law, Survey, Triangulation, Violation};

@@ -1,0 +1,722 @@
+//! Polygon File Format (`.ply`), as text and binary of both byte orders.
+//!
+//! The header describes the records that follow it; of these the coordinates of `vertex` and the
+//! corner lists of `face` are kept, and everything else is skipped and named.
+
+use std::io::{self, Write};
+
+use super::error::{MeshError, Place};
+use super::face_list::{FaceList, Faces};
+use super::tokens::{self, MAX_CORNERS, Tokens};
+
+/// Reads a PLY file.
+pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
+    let mut tokens = Tokens::new(bytes);
+    let header = Header::read(&mut tokens)?;
+    let position = tokens.position();
+    match header.encoding {
+        Encoding::Ascii => read_elements(&header, &mut tokens),
+        Encoding::Little => read_elements(&header, &mut Binary::<false> { bytes, position }),
+        Encoding::Big => read_elements(&header, &mut Binary::<true> { bytes, position }),
+    }
+}
+
+// The header.
+
+#[derive(Clone, Copy)]
+enum Encoding {
+    Ascii,
+    Little,
+    Big,
+}
+
+impl Encoding {
+    fn named(word: &[u8]) -> Option<Self> {
+        match word {
+            b"ascii" => Some(Self::Ascii),
+            b"binary_little_endian" => Some(Self::Little),
+            b"binary_big_endian" => Some(Self::Big),
+            _ => None,
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    fn named(word: &[u8]) -> Option<Self> {
+        match word {
+            b"char" | b"int8" => Some(Self::I8),
+            b"uchar" | b"uint8" => Some(Self::U8),
+            b"short" | b"int16" => Some(Self::I16),
+            b"ushort" | b"uint16" => Some(Self::U16),
+            b"int" | b"int32" => Some(Self::I32),
+            b"uint" | b"uint32" => Some(Self::U32),
+            b"float" | b"float32" => Some(Self::F32),
+            b"double" | b"float64" => Some(Self::F64),
+            _ => None,
+        }
+    }
+
+    fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Scalar(Scalar),
+    List { count: Scalar, item: Scalar },
+}
+
+struct Property {
+    name: String,
+    kind: Kind,
+}
+
+impl Property {
+    /// Reads a header line behind the word `property`.
+    fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
+        let scalar = |tokens: &mut Tokens| tokens.read_in_line("a type", Scalar::named);
+        let first = tokens.read_in_line("a type", |word| match word {
+            b"list" => Some(None),
+            _ => Scalar::named(word).map(Some),
+        })?;
+        let kind = match first {
+            Some(kind) => Kind::Scalar(kind),
+            None => Kind::List { count: scalar(tokens)?, item: scalar(tokens)? },
+        };
+        Ok(Self { name: tokens.read_in_line("a property name", text)?, kind })
+    }
+}
+
+struct Element {
+    name: String,
+    count: usize,
+    properties: Vec<Property>,
+}
+
+impl Element {
+    /// Reads a header line behind the word `element`.
+    fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
+        let name = tokens.read_in_line("an element name", text)?;
+        let count = tokens.read_in_line("a number of elements", tokens::count)?;
+        Ok(Self { name, count, properties: Vec::new() })
+    }
+
+    /// Which coordinate a property of `vertex` is.
+    fn axis(&self, property: &Property) -> Option<usize> {
+        let is_scalar = matches!(property.kind, Kind::Scalar(_));
+        let axis = ["x", "y", "z"].iter().position(|axis| *axis == property.name);
+        axis.filter(|_| is_scalar && self.name == "vertex")
+    }
+
+    /// Whether a property of `face` is the list of corners.
+    fn is_corners(&self, property: &Property) -> bool {
+        self.name == "face"
+            && matches!(property.kind, Kind::List { .. })
+            && ["vertex_indices", "vertex_index"].contains(&property.name.as_str())
+    }
+
+    /// Says what a `vertex` or `face` lacks to be one, or has twice.
+    fn check(&self) -> Result<(), String> {
+        let amount = |name: &str, matches: &dyn Fn(&Property) -> bool| match self
+            .properties
+            .iter()
+            .filter(|property| matches(property))
+            .count()
+        {
+            0 => Err(format!("element {} has no {name}", self.name)),
+            1 => Ok(()),
+            _ => Err(format!("element {} has more than one {name}", self.name)),
+        };
+        match self.name.as_str() {
+            "vertex" => ["x", "y", "z"].iter().enumerate().try_for_each(|(axis, name)| {
+                amount(&format!("number {name}"), &|property| self.axis(property) == Some(axis))
+            }),
+            "face" => amount("list vertex_indices", &|property| self.is_corners(property)),
+            _ => Ok(()),
+        }
+    }
+
+    /// Names of what is skipped.
+    fn left_out(&self) -> Vec<String> {
+        if self.count == 0 {
+            return Vec::new();
+        }
+        if !["vertex", "face"].contains(&self.name.as_str()) {
+            return vec![format!("element {}", self.name)];
+        }
+        let is_kept = |property| self.axis(property).is_some() || self.is_corners(property);
+        let skipped = self.properties.iter().filter(|property| !is_kept(property));
+        skipped.map(|property| format!("{} property {}", self.name, property.name)).collect()
+    }
+}
+
+struct Header {
+    encoding: Encoding,
+    elements: Vec<Element>,
+}
+
+impl Header {
+    /// Reads up to the first byte of data.
+    fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
+        tokens.read("'ply'", |word| (word == b"ply").then_some(()))?;
+        let mut encoding = None;
+        let mut elements: Vec<Element> = Vec::new();
+        loop {
+            tokens.skip_line();
+            match tokens.next_word() {
+                Some(b"comment" | b"obj_info") => {}
+                Some(b"format") => {
+                    encoding = Some(tokens.read_in_line("a PLY format", Encoding::named)?);
+                }
+                Some(b"element") => {
+                    close_element(tokens, &elements)?;
+                    elements.push(Element::read(tokens)?);
+                }
+                Some(b"property") => match elements.last_mut() {
+                    Some(element) => element.properties.push(Property::read(tokens)?),
+                    None => return Err(tokens.malformed("a property before any element")),
+                },
+                Some(b"end_header") => break,
+                Some(_) => return Err(tokens.unexpected("a word of a PLY header")),
+                None => return Err(tokens::truncated("end_header")),
+            }
+        }
+        close_element(tokens, &elements)?;
+        let encoding = encoding.ok_or_else(|| tokens.malformed("no format line before"))?;
+        if !elements.iter().any(|element| element.name == "vertex") {
+            return Err(tokens.malformed("no element vertex before"));
+        }
+        tokens.skip_line();
+        Ok(Self { encoding, elements })
+    }
+}
+
+/// Checks the last of `elements` when all its properties are known.
+fn close_element(tokens: &Tokens, elements: &[Element]) -> Result<(), MeshError> {
+    let Some((last, before)) = elements.split_last() else {
+        return Ok(());
+    };
+    if before.iter().any(|element| element.name == last.name) {
+        return Err(tokens.malformed(format!("a second element {} before", last.name)));
+    }
+    last.check().map_err(|problem| tokens.malformed(format!("{problem}; it ends here")))
+}
+
+fn text(word: &[u8]) -> Option<String> {
+    Some(String::from_utf8_lossy(word).into_owned())
+}
+
+// The data.
+
+/// Where values come from, one after the other.
+trait Source {
+    /// The next value, which is a coordinate.
+    fn coordinate(&mut self, kind: Scalar) -> Result<f64, MeshError>;
+
+    /// The next value, which is an integer from 0; `expected` names it for the error.
+    fn index(&mut self, kind: Scalar, expected: &str) -> Result<u32, MeshError>;
+
+    /// Passes over `times` values.
+    fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError>;
+
+    /// Everything that was not read yet.
+    fn rest(&self) -> &[u8];
+
+    /// Passes over one value of a record.
+    fn skip_property(&mut self, kind: Kind) -> Result<(), MeshError> {
+        match kind {
+            Kind::Scalar(kind) => self.skip(kind, 1),
+            Kind::List { count, item } => {
+                let count = self.index(count, "the length of a list")?;
+                self.skip(item, count as usize)
+            }
+        }
+    }
+}
+
+impl Source for Tokens<'_> {
+    fn coordinate(&mut self, _: Scalar) -> Result<f64, MeshError> {
+        self.read("a coordinate", tokens::float)
+    }
+
+    fn index(&mut self, _: Scalar, expected: &str) -> Result<u32, MeshError> {
+        // Where the header announces floating point numbers, `3.0` is an index too.
+        self.read(expected, |word| {
+            tokens::index(word).or_else(|| tokens::float(word).and_then(exact_index))
+        })
+    }
+
+    fn skip(&mut self, _: Scalar, times: usize) -> Result<(), MeshError> {
+        (0..times).try_for_each(|_| self.read("a value", |_| Some(())))
+    }
+
+    fn rest(&self) -> &[u8] {
+        Tokens::rest(self)
+    }
+}
+
+struct Binary<'a, const BIG_ENDIAN: bool> {
+    bytes: &'a [u8],
+    position: usize,
+}
+
+impl<const BIG_ENDIAN: bool> Binary<'_, BIG_ENDIAN> {
+    /// The next `N` bytes, the least significant first.
+    #[inline]
+    fn take<const N: usize>(&mut self) -> Result<[u8; N], MeshError> {
+        let rest = &self.bytes[self.position..];
+        let mut value = *rest.first_chunk().ok_or_else(|| tokens::truncated("a value"))?;
+        self.position += N;
+        if BIG_ENDIAN {
+            value.reverse();
+        }
+        Ok(value)
+    }
+
+    /// The next value; 64-bit floating point numbers hold all of them exactly.
+    #[inline]
+    fn value(&mut self, kind: Scalar) -> Result<f64, MeshError> {
+        Ok(match kind {
+            Scalar::I8 => i8::from_le_bytes(self.take()?).into(),
+            Scalar::U8 => u8::from_le_bytes(self.take()?).into(),
+            Scalar::I16 => i16::from_le_bytes(self.take()?).into(),
+            Scalar::U16 => u16::from_le_bytes(self.take()?).into(),
+            Scalar::I32 => i32::from_le_bytes(self.take()?).into(),
+            Scalar::U32 => u32::from_le_bytes(self.take()?).into(),
+            Scalar::F32 => f32::from_le_bytes(self.take()?).into(),
+            Scalar::F64 => f64::from_le_bytes(self.take()?),
+        })
+    }
+}
+
+impl<const BIG_ENDIAN: bool> Source for Binary<'_, BIG_ENDIAN> {
+    #[inline]
+    fn coordinate(&mut self, kind: Scalar) -> Result<f64, MeshError> {
+        self.value(kind)
+    }
+
+    #[inline]
+    fn index(&mut self, kind: Scalar, expected: &str) -> Result<u32, MeshError> {
+        let place = Place::Byte(self.position);
+        let value = self.value(kind)?;
+        exact_index(value)
+            .ok_or_else(|| MeshError::malformed(place, format!("{value} is not {expected}")))
+    }
+
+    fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError> {
+        let end = times.checked_mul(kind.size()).and_then(|size| self.position.checked_add(size));
+        let end = end.filter(|&end| end <= self.bytes.len());
+        self.position = end.ok_or_else(|| tokens::truncated("a value"))?;
+        Ok(())
+    }
+
+    fn rest(&self) -> &[u8] {
+        &self.bytes[self.position..]
+    }
+}
+
+/// The integer that `value` is, if it is one and fits.
+#[inline]
+fn exact_index(value: f64) -> Option<u32> {
+    let index = value as u32; // Saturates, and makes 0 of NaN.
+    (f64::from(index) == value).then_some(index)
+}
+
+fn read_elements(header: &Header, source: &mut impl Source) -> Result<FaceList, MeshError> {
+    let mut mesh = FaceList::default();
+    for element in &header.elements {
+        match element.name.as_str() {
+            "vertex" => mesh.positions = read_vertices(element, source)?,
+            "face" => mesh.faces = read_faces(element, source)?,
+            _ => skip_element(element, source)?,
+        }
+        mesh.left_out.extend(element.left_out());
+    }
+    if !source.rest().trim_ascii_start().is_empty() {
+        mesh.left_out.push("data after the last element".into());
+    }
+    Ok(mesh)
+}
+
+fn read_vertices(element: &Element, source: &mut impl Source) -> Result<Vec<[f64; 3]>, MeshError> {
+    let plan: Vec<_> =
+        element.properties.iter().map(|property| (element.axis(property), property.kind)).collect();
+    // A vertex takes three bytes at least, whatever the header says.
+    let mut positions = Vec::with_capacity(element.count.min(source.rest().len() / 3));
+    for_each_record(element, || {
+        let mut position = [0.0; 3];
+        for &(axis, kind) in &plan {
+            match (axis, kind) {
+                (Some(axis), Kind::Scalar(kind)) => position[axis] = source.coordinate(kind)?,
+                _ => source.skip_property(kind)?,
+            }
+        }
+        positions.push(position);
+        Ok(())
+    })?;
+    Ok(positions)
+}
+
+fn read_faces(element: &Element, source: &mut impl Source) -> Result<Faces, MeshError> {
+    let plan: Vec<_> = element
+        .properties
+        .iter()
+        .map(|property| (element.is_corners(property), property.kind))
+        .collect();
+    // A corner takes a byte at least.
+    let corners = element.count.saturating_mul(3).min(source.rest().len());
+    let mut faces = Faces::with_capacity(corners);
+    for_each_record(element, || {
+        for &(is_corners, kind) in &plan {
+            match kind {
+                Kind::List { count, item } if is_corners => {
+                    read_face(source, count, item, &mut faces)?;
+                }
+                _ => source.skip_property(kind)?,
+            }
+        }
+        Ok(())
+    })?;
+    Ok(faces)
+}
+
+#[inline]
+fn read_face(
+    source: &mut impl Source,
+    count: Scalar,
+    item: Scalar,
+    faces: &mut Faces,
+) -> Result<(), MeshError> {
+    let arity = source.index(count, "a number of corners")?;
+    for _ in 0..arity {
+        faces.push_corner(source.index(item, "a vertex index")?);
+    }
+    if faces.corners().len() > MAX_CORNERS {
+        return Err(MeshError::TooLarge);
+    }
+    faces.close_face(arity as usize);
+    Ok(())
+}
+
+fn skip_element(element: &Element, source: &mut impl Source) -> Result<(), MeshError> {
+    if element.properties.is_empty() {
+        return Ok(()); // However many there are, they take no room.
+    }
+    for_each_record(element, || {
+        element.properties.iter().try_for_each(|property| source.skip_property(property.kind))
+    })
+}
+
+/// Calls `read` for every record of `element`; says in which one the file ends.
+fn for_each_record(
+    element: &Element,
+    mut read: impl FnMut() -> Result<(), MeshError>,
+) -> Result<(), MeshError> {
+    for record in 0..element.count {
+        read().map_err(|error| match error {
+            MeshError::Truncated { .. } => {
+                let Element { name, count, .. } = element;
+                tokens::truncated(format_args!("{name} {} of {count}", record + 1))
+            }
+            other => other,
+        })?;
+    }
+    Ok(())
+}
+
+// Writing.
+
+/// Writes a binary PLY file that reads back exactly.
+///
+/// Coordinates are 32-bit numbers if that changes none of them.
+pub(super) fn write(out: &mut dyn Write, positions: &[[f64; 3]], faces: &Faces) -> io::Result<()> {
+    let is_single = |&value: &f64| f64::from(value as f32) == value;
+    let single = positions.as_flattened().iter().all(is_single);
+    let coordinate = if single { "float" } else { "double" };
+    let short = faces.iter().all(|face| u8::try_from(face.len()).is_ok());
+    let count = if short { "uchar" } else { "int" };
+    write!(
+        out,
+        "ply\nformat binary_little_endian 1.0\ncomment made by triquad\n\
+         element vertex {}\n\
+         property {coordinate} x\nproperty {coordinate} y\nproperty {coordinate} z\n\
+         element face {}\n\
+         property list {count} int vertex_indices\n\
+         end_header\n",
+        positions.len(),
+        faces.len()
+    )?;
+    if single {
+        write_positions(out, positions, |value| (value as f32).to_le_bytes())?;
+    } else {
+        write_positions(out, positions, f64::to_le_bytes)?;
+    }
+    write_faces(out, faces, if short { 1 } else { 4 })
+}
+
+fn write_positions<const N: usize>(
+    out: &mut dyn Write,
+    positions: &[[f64; 3]],
+    encode: impl Fn(f64) -> [u8; N],
+) -> io::Result<()> {
+    for position in positions {
+        out.write_all(position.map(&encode).as_flattened())?;
+    }
+    Ok(())
+}
+
+fn write_faces(out: &mut dyn Write, faces: &Faces, count_bytes: usize) -> io::Result<()> {
+    let mut record = Vec::new();
+    for face in faces.iter() {
+        record.clear();
+        record.extend_from_slice(&(face.len() as u32).to_le_bytes()[..count_bytes]);
+        for vertex in face {
+            record.extend_from_slice(&vertex.to_le_bytes());
+        }
+        out.write_all(&record)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PROPERTIES: &str = "\
+        element edge 2\nproperty int8 a\nproperty list uint8 int16 b\n\
+        element vertex 3\nproperty uchar red\nproperty double z\nproperty list int float w\n\
+        property short x\nproperty float y\n\
+        element face 2\nproperty list ushort uint vertex_index\nproperty char flags\n\
+        element nothing 99999999999999\nelement none 0\nproperty float n\nend_header\n";
+
+    /// The values of the elements above, each with its type.
+    const VALUES: &str = "i8:1 u8:2 i16:-5 i16:6 i8:0 u8:0 \
+        u8:9 f64:0.1 i32:0 i16:-7 f32:0.5 \
+        u8:9 f64:-0.0 i32:1 f32:5 i16:300 f32:1 \
+        u8:255 f64:1e-300 i32:0 i16:0 f32:-2.25 \
+        u16:3 u32:0 u32:1 u32:2 i8:-1 u16:4 u32:4000000000 u32:1 u32:0 u32:2 i8:1 ";
+
+    fn expected() -> FaceList {
+        let mut faces = Faces::default();
+        faces.push(&[0, 1, 2]);
+        faces.push(&[4_000_000_000, 1, 0, 2]);
+        let left_out = ["element edge", "vertex property red", "vertex property w"];
+        let left_out = [&left_out[..], &["face property flags", "element nothing"]].concat();
+        FaceList {
+            positions: vec![[-7.0, 0.5, 0.1], [300.0, 1.0, -0.0], [0.0, -2.25, 1e-300]],
+            faces,
+            left_out: left_out.into_iter().map(String::from).collect(),
+            ..FaceList::default()
+        }
+    }
+
+    fn encode(value: &str, big: bool) -> Vec<u8> {
+        let (kind, value) = value.split_once(':').unwrap();
+        let mut bytes = match kind {
+            "i8" => value.parse::<i8>().unwrap().to_le_bytes().to_vec(),
+            "u8" => value.parse::<u8>().unwrap().to_le_bytes().to_vec(),
+            "i16" => value.parse::<i16>().unwrap().to_le_bytes().to_vec(),
+            "u16" => value.parse::<u16>().unwrap().to_le_bytes().to_vec(),
+            "i32" => value.parse::<i32>().unwrap().to_le_bytes().to_vec(),
+            "u32" => value.parse::<u32>().unwrap().to_le_bytes().to_vec(),
+            "f32" => value.parse::<f32>().unwrap().to_le_bytes().to_vec(),
+            _ => value.parse::<f64>().unwrap().to_le_bytes().to_vec(),
+        };
+        if big {
+            bytes.reverse();
+        }
+        bytes
+    }
+
+    fn binary(properties: &str, values: &str, big: bool) -> Vec<u8> {
+        let order = if big { "big" } else { "little" };
+        let mut bytes = format!("ply\nformat binary_{order}_endian 1.0\n{properties}").into_bytes();
+        bytes.extend(values.split_whitespace().flat_map(|value| encode(value, big)));
+        bytes
+    }
+
+    fn ascii(properties: &str, values: &str) -> Vec<u8> {
+        let values: Vec<_> =
+            values.split_whitespace().map(|value| value.split_once(':').unwrap().1).collect();
+        format!("ply\nformat ascii 1.0\n{properties}{}\n", values.join(" ")).into_bytes()
+    }
+
+    fn all_encodings(properties: &str, values: &str) -> [Vec<u8>; 3] {
+        [
+            ascii(properties, values),
+            binary(properties, values, false),
+            binary(properties, values, true),
+        ]
+    }
+
+    fn problem(bytes: &[u8]) -> String {
+        read(bytes).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn encodings_agree() {
+        for bytes in all_encodings(PROPERTIES, VALUES) {
+            let mesh = read(&bytes).unwrap();
+            assert_eq!(mesh, expected());
+            assert!(mesh.positions[1][2].is_sign_negative());
+        }
+        let header = format!("comment \u{e9} x\nobj_info y\n\n{PROPERTIES}").replace('\n', "\r\n");
+        for bytes in all_encodings(&header, VALUES) {
+            assert_eq!(read(&bytes).unwrap(), expected());
+        }
+    }
+
+    #[test]
+    fn every_proper_prefix_is_truncated() {
+        for bytes in all_encodings(PROPERTIES, VALUES) {
+            let end = bytes.trim_ascii_end().len();
+            for length in 0..end {
+                assert!(read(&bytes[..length]).is_err(), "{length}");
+            }
+        }
+        let bytes = binary(PROPERTIES, VALUES, false);
+        let error = problem(&bytes[..bytes.len() - 1]);
+        assert_eq!(error, "end of file: truncated file: face 2 of 2");
+    }
+
+    #[test]
+    fn no_changed_byte_panics() {
+        for bytes in all_encodings(PROPERTIES, VALUES) {
+            for position in 0..bytes.len() {
+                for value in [0, 1, b'\n', b'-', b'9', b'l', 0x7f, 0x80, 0xff] {
+                    let mut changed = bytes.clone();
+                    changed[position] = value;
+                    let _ = read(&changed);
+                }
+            }
+        }
+    }
+
+    const TRIANGLE: &str = "element vertex 1\nproperty int x\nproperty int y\nproperty int z\n\
+        element face 1\nproperty list float int vertex_indices\nend_header\n";
+
+    #[test]
+    fn lists_need_natural_numbers() {
+        for (values, wrong, line, byte) in [
+            ("f32:1 i32:-2", "-2 is not a vertex index", 10, 16),
+            ("f32:1.5 i32:0", "1.5 is not a number of corners", 10, 12),
+            ("f32:-1 i32:0", "-1 is not a number of corners", 10, 12),
+            ("f32:NaN i32:0", "NaN is not a number of corners", 10, 12),
+            ("f32:5e9 i32:0", "5000000000 is not a number of corners", 10, 12),
+        ] {
+            let values = format!("i32:0 i32:0 i32:0 {values}");
+            let (text, data) = (ascii(TRIANGLE, &values), binary(TRIANGLE, &values, true));
+            let wrong_word = wrong.replace("5000000000", "5e9").replacen(" is", "' is", 1);
+            assert_eq!(problem(&text), format!("line {line}: '{wrong_word}"));
+            let start = data.len() - 20;
+            assert_eq!(problem(&data), format!("byte {}: {wrong}", start + byte));
+        }
+        let values = "i32:0 i32:0 i32:0 f32:1.0 i32:7";
+        for bytes in all_encodings(TRIANGLE, values) {
+            assert_eq!(read(&bytes).unwrap().faces.corners(), [7]);
+        }
+    }
+
+    #[test]
+    fn lying_counts_are_truncated_files() {
+        let vertices = TRIANGLE.replace("vertex 1", "vertex 18446744073709551615");
+        let faces = TRIANGLE.replace("face 1", "face 18446744073709551615");
+        let values = "i32:0 i32:0 i32:0 f32:2e9 i32:7";
+        for properties in [vertices.as_str(), &faces, TRIANGLE] {
+            for bytes in all_encodings(properties, values) {
+                assert!(matches!(
+                    read(&bytes),
+                    Err(MeshError::Truncated { .. } | MeshError::Malformed { .. })
+                ));
+            }
+        }
+        let skipped = TRIANGLE.replace("face", "other");
+        for bytes in all_encodings(&skipped, values) {
+            assert_eq!(problem(&bytes), "end of file: truncated file: other 1 of 1");
+        }
+    }
+
+    #[test]
+    fn header_errors_name_their_line() {
+        let header = |lines: &str| problem(format!("ply\nformat ascii 1.0\n{lines}").as_bytes());
+        let xyz = "property int x\nproperty int y\nproperty int z";
+        assert_eq!(header("elephant\n"), "line 3: 'elephant' is not a word of a PLY header");
+        assert_eq!(header("property int x\n"), "line 3: a property before any element");
+        assert_eq!(header("element vertex -1\n"), "line 3: '-1' is not a number of elements");
+        assert_eq!(header("element vertex 1\nproperty long x\n"), "line 4: 'long' is not a type");
+        assert_eq!(
+            header("element vertex 1\nproperty int x\nproperty list int int y\nend_header\n"),
+            "line 6: element vertex has no number y; it ends here"
+        );
+        assert_eq!(
+            header(&format!("element vertex 1\n{xyz}\nproperty int x\nend_header\n")),
+            "line 8: element vertex has more than one number x; it ends here"
+        );
+        assert_eq!(
+            header("element face 1\nproperty int vertex_index\nend_header\n"),
+            "line 5: element face has no list vertex_indices; it ends here"
+        );
+        assert_eq!(
+            header(&format!("element vertex 1\n{xyz}\nelement vertex 1\n{xyz}\nend_header\n")),
+            "line 11: a second element vertex before"
+        );
+        assert_eq!(header("end_header\n"), "line 3: no element vertex before");
+        assert_eq!(problem(b"ply\nend_header\n"), "line 2: no format line before");
+        assert_eq!(problem(b"OFF\n"), "line 1: 'OFF' is not 'ply'");
+        assert_eq!(header("comment"), "end of file: truncated file: end_header");
+    }
+
+    #[test]
+    fn trailing_data_is_named() {
+        let mut bytes = binary(TRIANGLE, "i32:0 i32:0 i32:0 f32:0", false);
+        bytes.extend(b"\r\n");
+        assert!(read(&bytes).unwrap().left_out.is_empty());
+        bytes.push(0);
+        assert_eq!(read(&bytes).unwrap().left_out, ["data after the last element"]);
+    }
+
+    #[test]
+    fn written_files_read_back_exactly() {
+        let single = [f64::from(0.1_f32), -0.0, f64::from(f32::MAX)];
+        let long: Vec<u32> = (0..256).collect();
+        for (position, kind) in [
+            (single, "property float z"),
+            ([0.1, 1e-300, -0.0], "property double z"),
+            ([1e300, 0.0, 0.0], "property double z"),
+        ] {
+            for (face, count) in [(&long[..], "list int int"), (&long[..4], "list uchar int")] {
+                let mut faces = Faces::default();
+                faces.push(face);
+                faces.push(&[]);
+                let positions = vec![[1.0, 2.0, 3.0], position];
+                let mut bytes = Vec::new();
+                write(&mut bytes, &positions, &faces).unwrap();
+                let mesh = FaceList { positions, faces, ..FaceList::default() };
+                let back = read(&bytes).unwrap();
+                assert_eq!(back, mesh);
+                let signs = |list: &FaceList| list.positions[1].map(f64::is_sign_negative);
+                assert_eq!(signs(&back), signs(&mesh));
+                let text = String::from_utf8_lossy(&bytes);
+                assert!(text.contains(kind) && text.contains(count));
+            }
+        }
+    }
+}

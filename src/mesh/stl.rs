@@ -1,0 +1,248 @@
+//! Stereolithography (`.stl`), text and binary.
+//!
+//! Triangles have no common vertices in such a file: corners at equal coordinates are made one
+//! vertex. Normals and attribute bytes say nothing that a surface needs and are not read.
+
+use rustc_hash::FxHashMap;
+
+use super::error::{MeshError, Place};
+use super::face_list::FaceList;
+use super::tokens::{self, MAX_CORNERS, Tokens};
+
+const HEADER_BYTES: usize = 84;
+const TRIANGLE_BYTES: usize = 50;
+
+/// Reads an STL file.
+///
+/// The word `solid` at the beginning proves nothing, as binary headers may hold it too. A file
+/// is binary if it is as long as a binary file should be, and else if it does not read as text
+/// and has a zero byte, as no text has.
+pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
+    let binary = read_binary(bytes);
+    if binary.is_ok() || matches!(binary, Err(MeshError::TooLarge)) {
+        return binary;
+    }
+    let text = read_text(bytes);
+    if text.is_err() && memchr::memchr(0, bytes).is_some() { binary } else { text }
+}
+
+fn read_binary(bytes: &[u8]) -> Result<FaceList, MeshError> {
+    let Some((header, body)) = bytes.split_first_chunk::<HEADER_BYTES>() else {
+        return Err(tokens::truncated("the header"));
+    };
+    let count = u32::from_le_bytes([header[80], header[81], header[82], header[83]]) as usize;
+    let (records, rest) = body.as_chunks::<TRIANGLE_BYTES>();
+    if records.len() < count {
+        return Err(tokens::truncated(format_args!("triangle {} of {count}", records.len() + 1)));
+    }
+    let surplus = (records.len() - count) * TRIANGLE_BYTES + rest.len();
+    if surplus > 0 {
+        let place = Place::Byte(bytes.len() - surplus);
+        let problem = format!("{surplus} bytes after the last of {count} triangles");
+        return Err(MeshError::malformed(place, problem));
+    }
+    let mut welder = Welder::with_capacity(count)?;
+    for record in records {
+        let (values, _) = record.as_chunks::<4>();
+        let value = |k: usize| f64::from(f32::from_le_bytes(values[k]));
+        // The first three are the normal.
+        welder.push([3, 6, 9].map(|k| [value(k), value(k + 1), value(k + 2)]))?;
+    }
+    Ok(welder.finish())
+}
+
+fn read_text(bytes: &[u8]) -> Result<FaceList, MeshError> {
+    let mut tokens = Tokens::new(bytes);
+    let mut welder = Welder::with_capacity(0)?;
+    expect(&mut tokens, &["solid"])?;
+    loop {
+        tokens.skip_line(); // The name of the solid, behind `solid` or `endsolid`.
+        while next_is(&mut tokens, &["facet", "endsolid"])? == 0 {
+            welder.push(read_facet(&mut tokens)?)?;
+        }
+        tokens.skip_line();
+        if tokens.rest().trim_ascii().is_empty() {
+            return Ok(welder.finish());
+        }
+        expect(&mut tokens, &["solid"])?;
+    }
+}
+
+/// Reads one triangle behind the word `facet`.
+fn read_facet(tokens: &mut Tokens) -> Result<[[f64; 3]; 3], MeshError> {
+    expect(tokens, &["normal"])?;
+    for _ in 0..3 {
+        // Often not even a number, for a triangle without area.
+        tokens.read("a component of the normal", |_| Some(()))?;
+    }
+    expect(tokens, &["outer", "loop"])?;
+    let mut corners = [[0.0; 3]; 3];
+    for corner in &mut corners {
+        expect(tokens, &["vertex"])?;
+        for coordinate in corner {
+            *coordinate = tokens.read("a coordinate", tokens::float)?;
+        }
+    }
+    expect(tokens, &["endloop", "endfacet"])?;
+    Ok(corners)
+}
+
+/// Reads the given words, in whatever case they are written.
+fn expect(tokens: &mut Tokens, words: &[&str]) -> Result<(), MeshError> {
+    words.iter().try_for_each(|word| next_is(tokens, &[word]).map(|_| ()))
+}
+
+/// Reads a word; returns which of `choices` it is.
+fn next_is(tokens: &mut Tokens, choices: &[&str]) -> Result<usize, MeshError> {
+    let is_next = |word: &[u8]| {
+        choices.iter().position(|choice| word.eq_ignore_ascii_case(choice.as_bytes()))
+    };
+    let next = tokens.next_word();
+    next.and_then(is_next).ok_or_else(|| {
+        let expected = format!("'{}'", choices.join("' or '"));
+        if next.is_some() { tokens.unexpected(&expected) } else { tokens::truncated(expected) }
+    })
+}
+
+/// Makes corners at equal coordinates one vertex, in order of first occurrence.
+struct Welder {
+    positions: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    vertices: FxHashMap<[u64; 3], u32>,
+}
+
+impl Welder {
+    fn with_capacity(triangles: usize) -> Result<Self, MeshError> {
+        if triangles > MAX_CORNERS / 3 {
+            return Err(MeshError::TooLarge);
+        }
+        // A closed surface has about half as many vertices as triangles.
+        let mut vertices = FxHashMap::default();
+        vertices.reserve(triangles / 2);
+        let positions = Vec::with_capacity(triangles / 2);
+        Ok(Self { positions, triangles: Vec::with_capacity(triangles), vertices })
+    }
+
+    fn push(&mut self, corners: [[f64; 3]; 3]) -> Result<(), MeshError> {
+        if self.triangles.len() == MAX_CORNERS / 3 {
+            return Err(MeshError::TooLarge);
+        }
+        let triangle = corners.map(|position| self.vertex(position));
+        self.triangles.push(triangle);
+        Ok(())
+    }
+
+    fn vertex(&mut self, position: [f64; 3]) -> u32 {
+        // Equal bits are equal numbers once -0 + 0 = 0 has removed the one exception; NaN, which
+        // is not equal to itself, is one number for each of its bit patterns.
+        let key = position.map(|coordinate| (coordinate + 0.0).to_bits());
+        *self.vertices.entry(key).or_insert_with(|| {
+            self.positions.push(position);
+            (self.positions.len() - 1) as u32
+        })
+    }
+
+    fn finish(self) -> FaceList {
+        FaceList::from_triangles(self.positions, self.triangles)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: [f32; 3] = [0.0, 0.0, 0.1];
+    const B: [f32; 3] = [1.0, 0.0, 0.0];
+    const C: [f32; 3] = [0.0, 1.0, 0.0];
+    const D: [f32; 3] = [-0.0, 1.0, -0.0];
+
+    fn binary(header: &[u8], triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
+        let mut bytes = header.to_vec();
+        bytes.resize(80, b' ');
+        bytes.extend((triangles.len() as u32).to_le_bytes());
+        for triangle in triangles {
+            bytes.extend([7; 12]);
+            bytes.extend(triangle.as_flattened().iter().flat_map(|value| value.to_le_bytes()));
+            bytes.extend([1, 2]);
+        }
+        bytes
+    }
+
+    fn text(triangles: &[[[f32; 3]; 3]]) -> String {
+        let mut text = String::from("solid two words\r\n");
+        for triangle in triangles {
+            text += "facet normal nan 0 -nan(ind)\r\n outer loop\r\n";
+            for [x, y, z] in triangle {
+                text += &format!("  vertex {x} {y:e} {z}\r\n");
+            }
+            text += " endloop\r\nEndFacet\r\n";
+        }
+        text + "endsolid two words"
+    }
+
+    fn problem(bytes: &[u8]) -> String {
+        read(bytes).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn equal_corners_become_one_vertex() {
+        let triangles = [[A, B, C], [B, A, D]];
+        let mesh = read(&binary(b"solid but binary", &triangles)).unwrap();
+        assert_eq!(mesh.positions, [A, B, C].map(|p| p.map(f64::from)));
+        assert_eq!(mesh.faces.corners(), [0, 1, 2, 1, 0, 2]);
+        assert!(mesh.left_out.is_empty());
+        let mesh = read(text(&triangles).as_bytes()).unwrap();
+        assert_eq!(mesh.positions, [[0.0, 0.0, 0.1], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        assert_eq!(mesh.faces.corners(), [0, 1, 2, 1, 0, 2]);
+    }
+
+    #[test]
+    fn not_a_number_is_passed_on() {
+        let nan = [f32::NAN, 0.0, 0.0];
+        for bytes in [binary(b"", &[[A, nan, nan]]), text(&[[A, nan, nan]]).into_bytes()] {
+            let mesh = read(&bytes).unwrap();
+            assert!(mesh.positions[1][0].is_nan());
+            assert_eq!(mesh.faces.len(), 1);
+        }
+    }
+
+    #[test]
+    fn solids_are_joined() {
+        let two = [text(&[[A, B, C]]), text(&[]), text(&[[A, C, B]])].join("\n");
+        let mesh = read((two + "\n\n").as_bytes()).unwrap();
+        assert_eq!(mesh.faces.corners(), [0, 1, 2, 0, 2, 1]);
+        assert!(read(b"solid\nendsolid\n").unwrap().faces.is_empty());
+    }
+
+    #[test]
+    fn a_wrong_length_is_told_in_binary_terms() {
+        let mut bytes = binary(b"solid", &[[A, B, C], [C, B, A]]);
+        bytes.push(0);
+        assert_eq!(problem(&bytes), "byte 184: 1 bytes after the last of 2 triangles");
+        assert_eq!(problem(&bytes[..183]), "end of file: truncated file: triangle 2 of 2");
+        bytes[80..84].fill(255);
+        assert!(problem(&bytes).contains("truncated file: triangle 3 of 4294967295"));
+        assert_eq!(problem(&[0; 83]), "end of file: truncated file: the header");
+    }
+
+    #[test]
+    fn wrong_text_is_told_in_lines() {
+        let good = text(&[[A, B, C]]);
+        let wrong = |from, to| problem(good.replacen(from, to, 1).as_bytes());
+        assert_eq!(wrong("solid", "mesh"), "line 1: 'mesh' is not 'solid'");
+        assert_eq!(wrong("1e0", "one"), "line 6: 'one' is not a coordinate");
+        assert_eq!(wrong(" endloop", "  vertex"), "line 7: 'vertex' is not 'endloop'");
+        assert_eq!(wrong("\nendsolid", "\nend"), "line 9: 'end' is not 'facet' or 'endsolid'");
+        assert_eq!(problem(b""), "end of file: truncated file: 'solid'");
+    }
+
+    #[test]
+    fn every_proper_prefix_is_refused() {
+        let bytes = binary(b"solid\nendsolid\n", &[[A, B, C], [C, B, A]]);
+        // Up to its 15th byte this is a text, and so it would be with nothing but spaces behind.
+        assert!((84..bytes.len()).all(|length| read(&bytes[..length]).is_err()));
+        let bytes = text(&[[A, B, C]]).into_bytes();
+        let whole = bytes.len() - " two words".len();
+        assert!((0..whole).all(|length| read(&bytes[..length]).is_err()));
+    }
+}

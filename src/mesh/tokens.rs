@@ -1,0 +1,221 @@
+//! Words of a text file: the scanner that the text formats share.
+
+use std::fmt::Display;
+
+use super::error::{MeshError, Place};
+
+/// As many corners as 32-bit half-edge indices can name.
+pub(super) const MAX_CORNERS: usize = 1 << 31;
+
+/// The file ends where `missing` should be.
+pub(super) fn truncated(missing: impl Display) -> MeshError {
+    MeshError::Truncated { place: Place::End, missing: missing.to_string() }
+}
+
+/// Walks over the words of a text, which white space separates.
+///
+/// A carriage return is white space like any other, so both kinds of line end are understood.
+pub(super) struct Tokens<'a> {
+    bytes: &'a [u8],
+    /// First byte behind the current word.
+    position: usize,
+    /// First byte of the current word, or where one was looked for in vain.
+    start: usize,
+    /// What begins a comment that runs to the end of its line.
+    comment: Option<u8>,
+}
+
+impl<'a> Tokens<'a> {
+    /// A text without comments.
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes, position: 0, start: 0, comment: None }
+    }
+
+    /// A text in which `#` begins a comment.
+    pub(super) fn with_comments(bytes: &'a [u8]) -> Self {
+        Self { comment: Some(b'#'), ..Self::new(bytes) }
+    }
+
+    /// The next word, on whatever line it is.
+    pub(super) fn next_word(&mut self) -> Option<&'a [u8]> {
+        loop {
+            let word = self.next_in_line();
+            if word.is_some() || self.position == self.bytes.len() {
+                return word;
+            }
+            self.position += 1; // The line feed.
+        }
+    }
+
+    /// The next word of the current line.
+    pub(super) fn next_in_line(&mut self) -> Option<&'a [u8]> {
+        let is_blank = |byte: u8| byte.is_ascii_whitespace() && byte != b'\n';
+        while self.bytes.get(self.position).copied().is_some_and(is_blank) {
+            self.position += 1;
+        }
+        if self.comment.is_some() && self.bytes.get(self.position).copied() == self.comment {
+            self.position = self.line_end();
+        }
+        self.start = self.position;
+        let rest = &self.bytes[self.start..];
+        let comment = self.comment.unwrap_or(b' ');
+        let is_end = |byte: &u8| byte.is_ascii_whitespace() || *byte == comment;
+        let word = &rest[..rest.iter().position(is_end).unwrap_or(rest.len())];
+        self.position += word.len();
+        (!word.is_empty()).then_some(word)
+    }
+
+    /// Moves to the beginning of the next line.
+    pub(super) fn skip_line(&mut self) {
+        self.position = self.bytes.len().min(self.line_end() + 1);
+    }
+
+    /// Moves back to byte `offset` of the current word, where the next word begins.
+    pub(super) fn split_word(&mut self, offset: usize) {
+        self.position = self.start + offset;
+    }
+
+    fn line_end(&self) -> usize {
+        let rest = &self.bytes[self.position..];
+        self.position + memchr::memchr(b'\n', rest).unwrap_or(rest.len())
+    }
+
+    /// The next word, on whatever line it is, as `parse` understands it.
+    ///
+    /// `expected` names such a word, article included, for the error if there is none.
+    #[inline]
+    pub(super) fn read<T>(
+        &mut self,
+        expected: &str,
+        parse: impl FnOnce(&[u8]) -> Option<T>,
+    ) -> Result<T, MeshError> {
+        let word = self.next_word().ok_or_else(|| truncated(expected))?;
+        parse(word).ok_or_else(|| self.unexpected(expected))
+    }
+
+    /// The next word of the current line, as [`Tokens::read`] does it.
+    #[inline]
+    pub(super) fn read_in_line<T>(
+        &mut self,
+        expected: &str,
+        parse: impl FnOnce(&[u8]) -> Option<T>,
+    ) -> Result<T, MeshError> {
+        match self.next_in_line() {
+            Some(word) => parse(word).ok_or_else(|| self.unexpected(expected)),
+            None if self.position == self.bytes.len() => Err(truncated(expected)),
+            None => Err(self.malformed(format!("the line ends before {expected}"))),
+        }
+    }
+
+    /// The error that the current word is not what was expected.
+    #[cold]
+    pub(super) fn unexpected(&self, expected: &str) -> MeshError {
+        const SHOWN: usize = 40;
+        let word = &self.bytes[self.start..self.position];
+        let shown = String::from_utf8_lossy(&word[..word.len().min(SHOWN)]);
+        let dots = if word.len() > SHOWN { "..." } else { "" };
+        self.malformed(format!("'{}{dots}' is not {expected}", shown.escape_debug()))
+    }
+
+    /// The error that something is wrong with the line of the current word.
+    #[cold]
+    pub(super) fn malformed(&self, problem: impl Into<String>) -> MeshError {
+        let line = 1 + memchr::memchr_iter(b'\n', &self.bytes[..self.start]).count();
+        MeshError::malformed(Place::Line(line), problem)
+    }
+
+    /// Where the current word ends, in bytes from the beginning.
+    pub(super) fn position(&self) -> usize {
+        self.position
+    }
+
+    /// Everything behind the current word.
+    pub(super) fn rest(&self) -> &'a [u8] {
+        &self.bytes[self.position..]
+    }
+}
+
+/// A number in decimal notation, or an infinity, or NaN.
+pub(super) fn float(word: &[u8]) -> Option<f64> {
+    fast_float2::parse(word).ok()
+}
+
+/// A vertex index: an integer from 0 that fits 32 bits.
+pub(super) fn index(word: &[u8]) -> Option<u32> {
+    count(word)?.try_into().ok()
+}
+
+/// An integer from 0 that fits the address space.
+pub(super) fn count(word: &[u8]) -> Option<usize> {
+    let digits = word.strip_prefix(b"+").unwrap_or(word);
+    if digits.is_empty() {
+        return None;
+    }
+    digits.iter().try_fold(0_usize, |value, byte| {
+        let digit = byte.wrapping_sub(b'0');
+        if digit > 9 {
+            return None;
+        }
+        value.checked_mul(10)?.checked_add(digit.into())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words<'a>(mut tokens: Tokens<'a>) -> Vec<&'a str> {
+        std::iter::from_fn(|| tokens.next_word())
+            .map(|word| str::from_utf8(word).unwrap())
+            .collect()
+    }
+
+    #[test]
+    fn words_end_at_white_space_and_comments() {
+        let text = b"# one\r\n two\tthree# four\r\n\r\n#\nfive";
+        assert_eq!(words(Tokens::with_comments(text)), ["two", "three", "five"]);
+        assert_eq!(words(Tokens::new(b" a #b\n")), ["a", "#b"]);
+        assert_eq!(words(Tokens::new(b" \r\n ")), [""; 0]);
+    }
+
+    #[test]
+    fn a_line_keeps_its_words_to_itself() {
+        let mut tokens = Tokens::with_comments(b"a b # c\r\n\nd");
+        assert_eq!(tokens.next_in_line(), Some(&b"a"[..]));
+        assert_eq!(tokens.next_in_line(), Some(&b"b"[..]));
+        assert_eq!(tokens.next_in_line(), None);
+        assert_eq!(tokens.next_in_line(), None);
+        tokens.skip_line();
+        assert_eq!(tokens.next_in_line(), None);
+        tokens.skip_line();
+        assert_eq!(tokens.next_in_line(), Some(&b"d"[..]));
+        tokens.skip_line();
+        assert_eq!((tokens.next_word(), tokens.rest()), (None, &b""[..]));
+    }
+
+    #[test]
+    fn errors_name_word_and_line() {
+        let mut tokens = Tokens::new(b"1\n\n x\n\n");
+        assert_eq!(tokens.read("a count", count).unwrap(), 1);
+        let error = tokens.read("a count", count).unwrap_err();
+        assert_eq!(error.to_string(), "line 3: 'x' is not a count");
+        let error = tokens.read_in_line("a count", count).unwrap_err();
+        assert_eq!(error.to_string(), "line 3: the line ends before a count");
+        let error = tokens.read("a count", count).unwrap_err();
+        assert_eq!(error.to_string(), "end of file: truncated file: a count");
+    }
+
+    #[test]
+    fn numbers_are_whole_words() {
+        assert_eq!(index(b"4294967295"), Some(u32::MAX));
+        for word in [&b"4294967296"[..], b"-1", b"", b"+", b"1x", b"1.0", b":"] {
+            assert_eq!(index(word), None, "{}", word.escape_ascii());
+        }
+        assert_eq!(count(b"99999999999999999999999999"), None);
+        assert_eq!(float(b"+1.5e3"), Some(1500.0));
+        assert!(float(b"nan").is_some_and(f64::is_nan));
+        for word in [&b""[..], b".", b"1.5x", b"1,5", b"0x1"] {
+            assert_eq!(float(word), None, "{}", word.escape_ascii());
+        }
+    }
+}

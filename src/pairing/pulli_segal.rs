@@ -1,0 +1,233 @@
+//! PS, the greedy algorithm of Pulli and Segal (Lemos et al., section 3.1): the triangle that is
+//! most at risk of being left alone is paired first.
+//!
+//! An edge is free while neither of its triangles is paired; every unpaired triangle has one of
+//! four priorities by its free edges. The paper leaves open which triangle of a priority set goes
+//! first. Here the sets are queues: first in, first out. The pairing then spreads from its start
+//! in rings, so that what is unpaired stays in one piece and few triangles are cut off; a stack
+//! runs off in tendrils that cut the surface into small islands, each with its own leftover. On a
+//! scan of genus 55 the queue left 0.08 % of the triangles unpaired, the stack twice as many. Rings
+//! also visit triangles near each other soon after each other, which the cache rewards.
+
+use std::collections::VecDeque;
+
+use crate::dual::{DualGraph, Matching};
+use crate::random::Random;
+use crate::triangulation::{Id, TriangleId};
+
+/// Number of the priority set of an unpaired triangle; the highest goes first.
+///
+/// A triangle's priority never falls: edges are locked and never freed. So each triangle enters
+/// each queue at most once, and an entry is out of date exactly if the priority has changed since.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Priority {
+    /// Set 0: three free edges.
+    ThreeFree,
+    /// Set 1: two free edges, both shared with triangles of set 0.
+    TwoFreeToLowest,
+    /// Set 2: two free edges.
+    TwoFree,
+    /// Set 3: one free edge or none.
+    AtMostOneFree,
+    /// In no set any more: paired, or left alone with no free edge.
+    Done,
+}
+
+/// Pairs triangles by priority: one of the highest non-empty set with its highest-priority
+/// neighbour across a free edge. Among neighbours of equal priority the one across the lowest
+/// side is taken.
+///
+/// From set 0, which is drawn on once for each component, triangles are taken at random if `random`
+/// is given, else in their order. Θ(n) time: a triangle changes its set at most three times. 5 bytes
+/// a triangle, and queues as long as the edge of the paired region.
+pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
+    let mut greedy = Greedy::new(graph);
+    let mut lowest = LowestSet::new(random);
+    while greedy.left > 0 {
+        let next = greedy.pop().or_else(|| lowest.pop(&greedy.priority));
+        let f = next.expect("a triangle that is not done is in a set");
+        match greedy.best_neighbour(f) {
+            Some(g) => greedy.pair(f, g),
+            None => greedy.finish(f),
+        }
+    }
+    greedy.matching
+}
+
+/// The pairing so far, and the sets 3, 2 and 1 as queues.
+struct Greedy<'g> {
+    graph: &'g DualGraph,
+    matching: Matching,
+    priority: Priorities,
+    /// Triangles that are not done.
+    left: usize,
+    queues: [VecDeque<TriangleId>; 4],
+}
+
+impl<'g> Greedy<'g> {
+    fn new(graph: &'g DualGraph) -> Self {
+        let mut greedy = Self {
+            graph,
+            matching: Matching::empty(graph.len()),
+            priority: Priorities::new(graph.len()),
+            left: graph.len(),
+            queues: Default::default(),
+        };
+        if graph.has_boundary() {
+            graph.triangles().for_each(|f| greedy.relocate(f));
+        }
+        greedy
+    }
+
+    /// Takes a triangle of the highest non-empty set above set 0.
+    fn pop(&mut self) -> Option<TriangleId> {
+        for set in [Priority::AtMostOneFree, Priority::TwoFree, Priority::TwoFreeToLowest] {
+            while let Some(f) = self.queues[set as usize].pop_front() {
+                if self.priority.of(f) == set {
+                    return Some(f);
+                }
+            }
+        }
+        None
+    }
+
+    /// The neighbour of highest priority across a free edge.
+    fn best_neighbour(&self, f: TriangleId) -> Option<TriangleId> {
+        let mut best = None;
+        let mut highest = 0;
+        for g in self.graph.sides(f) {
+            // A free edge's priority from 1 up; 0 where the edge is locked or a boundary.
+            let rank = (self.priority.of(g) as u8 + 1) % (Priority::Done as u8 + 1);
+            if rank > highest {
+                best = Some(g);
+                highest = rank;
+            }
+        }
+        best
+    }
+
+    fn pair(&mut self, f: TriangleId, g: TriangleId) {
+        self.matching.pair(f, g);
+        self.finish(f);
+        self.finish(g);
+        for locked in self.graph.sides(f).into_iter().chain(self.graph.sides(g)) {
+            if self.priority.of(locked) != Priority::Done {
+                self.relocate(locked);
+            }
+        }
+    }
+
+    fn finish(&mut self, f: TriangleId) {
+        self.priority.set(f, Priority::Done);
+        self.left -= 1;
+    }
+
+    /// Moves `f`, which may have lost a free edge, to the set where it belongs now, and with it the
+    /// neighbours that were in set 1 because `f` was in set 0.
+    fn relocate(&mut self, f: TriangleId) {
+        let sides = self.graph.sides(f);
+        let around = sides.map(|g| self.priority.of(g));
+        let (old, new) = (self.priority.of(f), Priority::among(around));
+        if new == old {
+            return;
+        }
+        debug_assert!(new > old, "priorities never fall");
+        self.enter(f, new);
+        if old == Priority::ThreeFree {
+            for (g, priority) in sides.into_iter().zip(around) {
+                if priority == Priority::TwoFreeToLowest {
+                    self.enter(g, Priority::TwoFree);
+                }
+            }
+        }
+    }
+
+    fn enter(&mut self, f: TriangleId, set: Priority) {
+        self.priority.set(f, set);
+        self.queues[set as usize].push_back(f);
+    }
+}
+
+impl Priority {
+    /// The priority of an unpaired triangle between neighbours of these priorities.
+    fn among(around: [Self; 3]) -> Self {
+        let count = |priority| around.iter().map(|&p| usize::from(p == priority)).sum::<usize>();
+        match (count(Self::Done), count(Self::ThreeFree)) {
+            (0, _) => Self::ThreeFree,
+            (1, 2) => Self::TwoFreeToLowest,
+            (1, _) => Self::TwoFree,
+            _ => Self::AtMostOneFree,
+        }
+    }
+}
+
+/// Priorities of all triangles; beyond a boundary everything is done.
+struct Priorities(Vec<Priority>);
+
+impl Priorities {
+    fn new(triangles: usize) -> Self {
+        let mut priorities = vec![Priority::ThreeFree; triangles + 1];
+        priorities[triangles] = Priority::Done;
+        Self(priorities)
+    }
+
+    #[inline]
+    fn of(&self, f: TriangleId) -> Priority {
+        self.0[f.index().min(self.0.len() - 1)]
+    }
+
+    #[inline]
+    fn set(&mut self, f: TriangleId, priority: Priority) {
+        self.0[f.index()] = priority;
+    }
+
+    fn triangles(&self) -> usize {
+        self.0.len() - 1
+    }
+}
+
+/// Set 0: all triangles at first. Triangles that have left it are passed over.
+struct LowestSet<'r> {
+    random: Option<&'r mut Random>,
+    /// Every triangle of set 0 from `taken` on, once there have been enough unlucky draws.
+    listed: Option<Vec<TriangleId>>,
+    taken: usize,
+}
+
+impl<'r> LowestSet<'r> {
+    fn new(random: Option<&'r mut Random>) -> Self {
+        Self { random, listed: None, taken: 0 }
+    }
+
+    fn pop(&mut self, priority: &Priorities) -> Option<TriangleId> {
+        if self.listed.is_none() {
+            if let Some(f) = self.draw(priority) {
+                return Some(f);
+            }
+            self.list(priority);
+        }
+        let listed = self.listed.as_deref().unwrap_or_default();
+        let waiting = listed[self.taken..].iter();
+        let found = waiting.clone().position(|&f| priority.of(f) == Priority::ThreeFree)?;
+        self.taken += found + 1;
+        Some(listed[self.taken - 1])
+    }
+
+    /// A triangle of set 0 drawn at random from all triangles, if luck will have it.
+    fn draw(&mut self, priority: &Priorities) -> Option<TriangleId> {
+        const DRAWS: usize = 16;
+        let random = self.random.as_deref_mut()?;
+        let mut draws = (0..DRAWS).map(|_| TriangleId(random.below(priority.triangles() as u32)));
+        draws.find(|&f| priority.of(f) == Priority::ThreeFree)
+    }
+
+    /// Lists what is left of the set, in random order if there is to be any randomness.
+    fn list(&mut self, priority: &Priorities) {
+        let all = (0..priority.triangles()).map(TriangleId::new);
+        let mut left: Vec<TriangleId> = all.filter(|&f| priority.of(f) == Priority::ThreeFree).collect();
+        if let Some(random) = self.random.as_deref_mut() {
+            random.shuffle(&mut left);
+        }
+        self.listed = Some(left);
+    }
+}

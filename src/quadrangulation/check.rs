@@ -1,0 +1,283 @@
+//! Whether a quad mesh is what it should be, from the two meshes alone.
+//!
+//! Uses nothing of what built the quads: neither the half-edge structure nor the matching. Around
+//! every vertex the quads and the triangles that start there are looked up in one array over all
+//! vertices, so the check is linear and needs no hashing.
+
+use crate::mesh::{FaceList, Faces};
+
+/// What a quad mesh that passed the check looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CheckReport {
+    /// Number of quads.
+    pub quads: usize,
+    /// Vertices that quads use.
+    pub vertices: usize,
+    /// Vertices of degree 2, where two quads share two edges: legal and common.
+    pub degree_two_vertices: usize,
+    /// Vertices - edges + quads, the same as that of the triangles.
+    pub euler_characteristic: i64,
+}
+
+/// The first thing found that is wrong with a quad mesh. Displayed numbers count from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Mismatch {
+    /// The triangle mesh has a face that is not a triangle, or names a missing vertex.
+    #[error("face {} of the triangle mesh is no triangle of existing vertices", .0 + 1)]
+    BadTriangle(usize),
+    /// The numbers of vertices differ.
+    #[error("the quad mesh has {quads} vertices, the triangle mesh {triangles}")]
+    VertexCount {
+        /// Vertices of the quad mesh.
+        quads: usize,
+        /// Vertices of the triangle mesh.
+        triangles: usize,
+    },
+    /// A vertex has moved.
+    #[error("vertex {} has other coordinates than in the triangle mesh", .0 + 1)]
+    Moved(usize),
+    /// A face does not have four corners that exist.
+    #[error("face {} is no quadrilateral of existing vertices", .0 + 1)]
+    NotAQuad(usize),
+    /// A quad has a corner twice.
+    #[error("quad {} repeats a corner", .0 + 1)]
+    RepeatedCorner(usize),
+    /// Two quads pass an edge in the same direction.
+    #[error("edge {}-{} is passed twice in the same direction", .0 + 1, .1 + 1)]
+    EdgeTwice(u32, u32),
+    /// An edge is passed in one direction only.
+    #[error("edge {}-{} belongs to one quad only", .0 + 1, .1 + 1)]
+    EdgeOpen(u32, u32),
+    /// A quad is not the union of two triangles across their common edge.
+    #[error("quad {} is not two triangles of the triangle mesh joined across an edge", .0 + 1)]
+    NotAPair(usize),
+    /// A triangle lies in two quads.
+    #[error("triangle {} lies in two quads", .0 + 1)]
+    TriangleTwice(usize),
+    /// A triangle lies in no quad.
+    #[error("triangle {} lies in no quad", .0 + 1)]
+    TriangleUnused(usize),
+    /// A vertex is used in one mesh only.
+    #[error("vertex {} is used in one of the meshes only", .0 + 1)]
+    VertexUse(usize),
+    /// The quads round a vertex form more than one fan.
+    #[error("the quads round vertex {} form several fans", .0 + 1)]
+    Fans(usize),
+    /// The Euler characteristics differ.
+    #[error("the Euler characteristic is {quads}, that of the triangle mesh {triangles}")]
+    EulerCharacteristic {
+        /// That of the quad mesh.
+        quads: i64,
+        /// That of the triangle mesh.
+        triangles: i64,
+    },
+}
+
+/// Checks that `quads` is a quadrangulation of the surface that `triangles` triangulates, on the
+/// same vertices, every quad the union of two triangles.
+///
+/// # Errors
+/// The first thing found wrong.
+///
+/// # Cost
+/// O(n) time; about 40 bytes a triangle while it runs.
+pub fn check(quads: &FaceList, triangles: &FaceList) -> Result<CheckReport, Mismatch> {
+    check_positions(&quads.positions, &triangles.positions)?;
+    check_faces(&quads.faces, &triangles.faces, triangles.positions.len())
+}
+
+fn check_positions(quads: &[[f64; 3]], triangles: &[[f64; 3]]) -> Result<(), Mismatch> {
+    if quads.len() != triangles.len() {
+        return Err(Mismatch::VertexCount { quads: quads.len(), triangles: triangles.len() });
+    }
+    let bits = |position: &[f64; 3]| position.map(f64::to_bits);
+    let moved = (0..quads.len()).find(|&v| bits(&quads[v]) != bits(&triangles[v]));
+    moved.map_or(Ok(()), |v| Err(Mismatch::Moved(v)))
+}
+
+/// Like [`check`], for meshes over the same `vertices` positions.
+///
+/// # Errors
+/// The first thing found wrong.
+pub(crate) fn check_faces(
+    quads: &Faces,
+    triangles: &Faces,
+    vertices: usize,
+) -> Result<CheckReport, Mismatch> {
+    require_arity(quads, 4, vertices).map_err(Mismatch::NotAQuad)?;
+    require_arity(triangles, 3, vertices).map_err(Mismatch::BadTriangle)?;
+    let mut check = Check {
+        quads: Corners::gather::<4>(quads.corners(), vertices),
+        triangles: Corners::gather::<3>(triangles.corners(), vertices),
+        inside: vec![NONE; quads.corners().len()],
+        degree_two_vertices: 0,
+        used_vertices: 0,
+    };
+    check.visit_stars(vertices)?;
+    check.cover_triangles()?;
+    let euler = |corners: usize, faces: usize| {
+        check.used_vertices as i64 - (corners / 2) as i64 + faces as i64
+    };
+    let of_quads = euler(quads.corners().len(), quads.len());
+    let of_triangles = euler(triangles.corners().len(), triangles.len());
+    if of_quads != of_triangles {
+        return Err(Mismatch::EulerCharacteristic { quads: of_quads, triangles: of_triangles });
+    }
+    Ok(CheckReport {
+        quads: quads.len(),
+        vertices: check.used_vertices,
+        degree_two_vertices: check.degree_two_vertices,
+        euler_characteristic: of_quads,
+    })
+}
+
+const NONE: u32 = u32::MAX;
+
+/// The first face that has not `arity` corners below `vertices`.
+fn require_arity(faces: &Faces, arity: usize, vertices: usize) -> Result<(), usize> {
+    let sound = |face: &[u32]| face.len() == arity && face.iter().all(|&v| (v as usize) < vertices);
+    match faces.iter().position(|face| !sound(face)) {
+        Some(face) => Err(face),
+        None => Ok(()),
+    }
+}
+
+/// The corners of faces of equal size, and where each vertex's corners are.
+struct Corners<'m> {
+    vertex: &'m [u32],
+    arity: u32,
+    starts: Vec<u32>,
+    at_vertex: Vec<u32>,
+    /// For each vertex w the last corner seen whose side leads to w.
+    leading_to: Vec<u32>,
+}
+
+impl<'m> Corners<'m> {
+    fn gather<const ARITY: u32>(vertex: &'m [u32], vertices: usize) -> Self {
+        let mut starts = vec![0u32; vertices + 2];
+        vertex.iter().for_each(|&v| starts[v as usize + 2] += 1);
+        (2..starts.len()).for_each(|v| starts[v] += starts[v - 1]);
+        let mut at_vertex = vec![0; vertex.len()];
+        for (corner, &v) in vertex.iter().enumerate() {
+            at_vertex[starts[v as usize + 1] as usize] = corner as u32;
+            starts[v as usize + 1] += 1;
+        }
+        Self { vertex, arity: ARITY, starts, at_vertex, leading_to: vec![NONE; vertices] }
+    }
+
+    fn star(&self, v: u32) -> std::ops::Range<usize> {
+        self.starts[v as usize] as usize..self.starts[v as usize + 1] as usize
+    }
+
+    /// The corner `steps` further round the same face.
+    fn turn(&self, corner: u32, steps: u32) -> u32 {
+        let first = corner - corner % self.arity;
+        first + (corner - first + steps) % self.arity
+    }
+
+    /// The vertex that the side starting at `corner` leads to.
+    fn head(&self, corner: u32) -> u32 {
+        self.vertex[self.turn(corner, 1) as usize]
+    }
+
+    /// The vertex from which the side before `corner` comes.
+    fn tail(&self, corner: u32) -> u32 {
+        self.vertex[self.turn(corner, self.arity - 1) as usize]
+    }
+
+    /// Enters the sides that start at `v`; the end of one entered twice is the error.
+    fn enter_star(&mut self, v: u32) -> Result<(), u32> {
+        for i in self.star(v) {
+            let corner = self.at_vertex[i];
+            let head = self.head(corner);
+            if self.side(v, head).is_some() {
+                return Err(head);
+            }
+            self.leading_to[head as usize] = corner;
+        }
+        Ok(())
+    }
+
+    /// The corner at `v`, whose star was the last entered, with the side that leads to `head`.
+    fn side(&self, v: u32, head: u32) -> Option<u32> {
+        let corner = self.leading_to[head as usize];
+        (corner != NONE && self.vertex[corner as usize] == v).then_some(corner)
+    }
+}
+
+struct Check<'m> {
+    quads: Corners<'m>,
+    triangles: Corners<'m>,
+    /// For each side of a quad, the triangle that lies inside it.
+    inside: Vec<u32>,
+    degree_two_vertices: usize,
+    used_vertices: usize,
+}
+
+impl Check<'_> {
+    fn visit_stars(&mut self, vertices: usize) -> Result<(), Mismatch> {
+        for v in 0..vertices as u32 {
+            let degree = self.quads.star(v).len();
+            if (degree == 0) != self.triangles.star(v).is_empty() {
+                return Err(Mismatch::VertexUse(v as usize));
+            }
+            self.used_vertices += usize::from(degree > 0);
+            self.degree_two_vertices += usize::from(degree == 2);
+            self.visit_star(v)?;
+        }
+        Ok(())
+    }
+
+    fn visit_star(&mut self, v: u32) -> Result<(), Mismatch> {
+        self.triangles.enter_star(v).map_err(|head| Mismatch::EdgeTwice(v, head))?;
+        self.quads.enter_star(v).map_err(|head| Mismatch::EdgeTwice(v, head))?;
+        for i in self.quads.star(v) {
+            let corner = self.quads.at_vertex[i];
+            let (head, tail) = (self.quads.head(corner), self.quads.tail(corner));
+            if head == v || self.quads.vertex[self.quads.turn(corner, 2) as usize] == v {
+                return Err(Mismatch::RepeatedCorner(corner as usize / 4));
+            }
+            if self.quads.side(v, tail).is_none() {
+                return Err(Mismatch::EdgeOpen(tail, v));
+            }
+            let triangle = self.triangles.side(v, head).map(|inner| inner / 3);
+            self.inside[corner as usize] = triangle.ok_or(Mismatch::NotAPair(corner as usize / 4))?;
+        }
+        self.check_one_fan(v)
+    }
+
+    /// Turns about `v` from its first quad; all its quads must come up before the first returns.
+    fn check_one_fan(&self, v: u32) -> Result<(), Mismatch> {
+        let star = self.quads.star(v);
+        let Some(&first) = self.quads.at_vertex[star.clone()].first() else { return Ok(()) };
+        let mut corner = first;
+        for turned in 1..=star.len() {
+            corner = self.quads.side(v, self.quads.tail(corner)).expect("seen to exist");
+            if corner == first {
+                let whole = turned == star.len();
+                return if whole { Ok(()) } else { Err(Mismatch::Fans(v as usize)) };
+            }
+        }
+        Err(Mismatch::Fans(v as usize))
+    }
+
+    /// Each quad must have one triangle inside two sides in a row and another inside the other two;
+    /// both then lie on the diagonal between, in opposite directions. Each triangle is used once.
+    fn cover_triangles(&self) -> Result<(), Mismatch> {
+        let mut covered = vec![false; self.triangles.vertex.len() / 3];
+        for (quad, inside) in self.inside.as_chunks::<4>().0.iter().enumerate() {
+            let &[a, b, c, d] = inside;
+            let pair = a == b && c == d || b == c && d == a;
+            if !pair || a == c {
+                return Err(Mismatch::NotAPair(quad));
+            }
+            for triangle in [a, c] {
+                if std::mem::replace(&mut covered[triangle as usize], true) {
+                    return Err(Mismatch::TriangleTwice(triangle as usize));
+                }
+            }
+        }
+        let unused = covered.iter().position(|covered| !covered);
+        unused.map_or(Ok(()), |triangle| Err(Mismatch::TriangleUnused(triangle)))
+    }
+}

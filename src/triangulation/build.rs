@@ -1,0 +1,159 @@
+//! From a face list to a triangulation, or why not.
+//!
+//! Linear time without hashing: corners are gathered by vertex (counting sort), and round each
+//! vertex an array over all vertices remembers which half-edge leads where. A mesh that breaks a
+//! law is given up at the first sign and handed to the slower, exhaustive [`Survey`].
+
+use super::{HalfEdgeId, Id, IdVec, Survey, TriangleId, Triangulation, VertexId};
+use crate::mesh::FaceList;
+
+impl Triangulation {
+    /// Checks every law of Definition 2.2 on `list` and builds the half-edge structure.
+    ///
+    /// # Errors
+    /// The survey of the mesh, with all laws that it breaks and where.
+    ///
+    /// # Cost
+    /// O(n) time, no hashing; 40 bytes a triangle while it runs, 24 afterwards.
+    pub fn build(list: &FaceList) -> Result<Self, Box<Survey>> {
+        try_build(list).ok_or_else(|| {
+            let survey = Survey::of(list);
+            assert!(!survey.violations.is_empty(), "a mesh was refused that breaks no law");
+            Box::new(survey)
+        })
+    }
+
+    /// Like [`Triangulation::build`]; if `flip_faces` and nothing is wrong but that neighbours
+    /// disagree on orientation, flips faces of `list` until they agree.
+    ///
+    /// # Errors
+    /// As for [`Triangulation::build`].
+    pub fn build_oriented(list: &mut FaceList, flip_faces: bool) -> Result<Self, Box<Survey>> {
+        match Self::build(list) {
+            Err(survey) if flip_faces && survey.only_orientation_is_wrong() => {
+                survey.orient(list);
+                Self::build(list)
+            }
+            result => result,
+        }
+    }
+}
+
+/// The triangulation, or `None` as soon as any law is seen to be broken.
+fn try_build(list: &FaceList) -> Option<Triangulation> {
+    let corners = list.faces.corners();
+    let vertices = list.positions.len();
+    let sizes_fit = !corners.is_empty() && corners.len() <= super::laws::MAX_HALF_EDGES;
+    let triangles = list.faces.arity() == Some(3);
+    let in_range = corners.iter().all(|&vertex| (vertex as usize) < vertices);
+    let finite = list.positions.as_flattened().iter().all(|coordinate| coordinate.is_finite());
+    if !(sizes_fit && triangles && in_range && finite) {
+        return None;
+    }
+    let stars = Stars::gather(corners, vertices);
+    let twin = find_twins(corners, &stars)?;
+    let unreferenced = (0..vertices).filter(|&v| stars.of(v).is_empty()).count();
+    drop(stars);
+    let components = count_components(twin.as_slice());
+    let origin: Vec<VertexId> = corners.iter().map(|&vertex| VertexId(vertex)).collect();
+    Some(Triangulation { origin: origin.into(), twin, vertices, unreferenced, components })
+}
+
+/// The half-edges that leave each vertex, gathered by a counting sort.
+struct Stars {
+    ends: Vec<u32>,
+    half_edges: Vec<HalfEdgeId>,
+}
+
+impl Stars {
+    fn gather(corners: &[u32], vertices: usize) -> Self {
+        let mut ends = vec![0u32; vertices + 1];
+        for &vertex in corners {
+            ends[vertex as usize + 1] += 1;
+        }
+        for v in 1..=vertices {
+            ends[v] += ends[v - 1];
+        }
+        // Filling moves every start to its end, which is the start of the vertex after it.
+        let mut half_edges = vec![HalfEdgeId::NONE; corners.len()];
+        for (h, &vertex) in corners.iter().enumerate() {
+            let slot = &mut ends[vertex as usize];
+            half_edges[*slot as usize] = HalfEdgeId::new(h);
+            *slot += 1;
+        }
+        Self { ends, half_edges }
+    }
+
+    fn of(&self, v: usize) -> &[HalfEdgeId] {
+        let start = if v == 0 { 0 } else { self.ends[v - 1] };
+        &self.half_edges[start as usize..self.ends[v] as usize]
+    }
+}
+
+/// The twin of every half-edge, if the triangles are those of closed, oriented surfaces.
+fn find_twins(corners: &[u32], stars: &Stars) -> Option<IdVec<HalfEdgeId, HalfEdgeId>> {
+    let mut twin = IdVec::filled(HalfEdgeId::NONE, corners.len());
+    // Entry w is the last half-edge found that leads to w. It belongs to the current star if and
+    // only if it leaves the current centre, so nothing has to be cleared between stars.
+    let mut leads_to = vec![HalfEdgeId::NONE; stars.ends.len() - 1];
+    let origin = |h: HalfEdgeId| corners[h.index()];
+    for centre in 0..stars.ends.len() as u32 - 1 {
+        let star = stars.of(centre as usize);
+        for &h in star {
+            let entry = &mut leads_to[origin(h.next()) as usize];
+            let repeated = *entry != HalfEdgeId::NONE && origin(*entry) == centre;
+            if repeated || origin(h.next()) == centre {
+                return None;
+            }
+            *entry = h;
+        }
+        for &h in star {
+            let incoming = h.prev();
+            let outgoing = leads_to[origin(incoming) as usize];
+            if outgoing == HalfEdgeId::NONE || origin(outgoing) != centre {
+                return None;
+            }
+            twin[incoming] = outgoing;
+        }
+        if !is_one_fan(star, &twin) {
+            return None;
+        }
+    }
+    Some(twin)
+}
+
+/// Whether turning about the centre of `star` passes all its triangles, at least three.
+fn is_one_fan(star: &[HalfEdgeId], twin: &IdVec<HalfEdgeId, HalfEdgeId>) -> bool {
+    let Some(&first) = star.first() else { return true };
+    let mut h = twin[first.prev()];
+    let mut turned = 1;
+    // Where an edge is doubled the walk may never come back to `first`.
+    while h != first && turned < star.len() {
+        h = twin[h.prev()];
+        turned += 1;
+    }
+    h == first && turned == star.len() && turned >= 3
+}
+
+fn count_components(twins: &[HalfEdgeId]) -> usize {
+    let mut reached = vec![false; twins.len() / 3];
+    let mut stack = Vec::new();
+    let mut components = 0;
+    for seed in 0..reached.len() {
+        if reached[seed] {
+            continue;
+        }
+        components += 1;
+        reached[seed] = true;
+        stack.push(TriangleId::new(seed));
+        while let Some(triangle) = stack.pop() {
+            for h in triangle.half_edges() {
+                let neighbour = twins[h.index()].triangle();
+                if !std::mem::replace(&mut reached[neighbour.index()], true) {
+                    stack.push(neighbour);
+                }
+            }
+        }
+    }
+    components
+}

@@ -1,0 +1,137 @@
+//! The laws that a mesh must obey to be a triangulation (Definition 2.2), by name.
+
+use std::fmt;
+
+/// Half-edge ids are 32-bit numbers with room to spare for later structures.
+pub(crate) const MAX_HALF_EDGES: usize = 1 << 31;
+
+/// A law, in the order in which a mesh's first broken one is reported.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Law {
+    /// There is at least one face.
+    NotEmpty,
+    /// There are at most 2^31 half-edges.
+    NotTooLarge,
+    /// Every face index names a vertex.
+    IndexInRange,
+    /// Every coordinate is a finite number.
+    FiniteCoordinate,
+    /// Every face has three corners.
+    Triangle,
+    /// The corners of a face are distinct.
+    DistinctCorners,
+    /// No two faces have the same corners.
+    DistinctFaces,
+    /// No edge belongs to more than two faces (Lemma 2.2).
+    AtMostTwoFaces,
+    /// No edge belongs to only one face: the surface has no boundary (Lemma 2.2).
+    NoBoundary,
+    /// The surface has two sides.
+    Orientable,
+    /// Neighbouring faces are oriented alike.
+    ConsistentOrientation,
+    /// The faces round a vertex form one fan.
+    OneFan,
+}
+
+impl Law {
+    /// The name used in JSON and messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NotEmpty => "empty-mesh",
+            Self::NotTooLarge => "too-large",
+            Self::IndexInRange => "index-out-of-range",
+            Self::FiniteCoordinate => "non-finite-coordinate",
+            Self::Triangle => "not-a-triangle",
+            Self::DistinctCorners => "repeated-corner",
+            Self::DistinctFaces => "duplicate-face",
+            Self::AtMostTwoFaces => "overfull-edge",
+            Self::NoBoundary => "boundary-edge",
+            Self::Orientable => "non-orientable",
+            Self::ConsistentOrientation => "inconsistent-orientation",
+            Self::OneFan => "several-fans",
+        }
+    }
+
+    /// What is wrong with an element that breaks the law.
+    fn complaint(self) -> &'static str {
+        match self {
+            Self::NotEmpty => "has no faces",
+            Self::NotTooLarge => "has more than 2^31 half-edges",
+            Self::IndexInRange => "names a vertex that does not exist",
+            Self::FiniteCoordinate => "has a coordinate that is NaN or infinite",
+            Self::Triangle => "is not a triangle",
+            Self::DistinctCorners => "repeats a corner",
+            Self::DistinctFaces => "has the same corners as an earlier face",
+            Self::AtMostTwoFaces => "belongs to more than two faces",
+            Self::NoBoundary => "is a boundary edge: it belongs to one face only",
+            Self::Orientable => "closes a one-sided (non-orientable) strip",
+            Self::ConsistentOrientation => "is passed in the same direction by both its faces",
+            Self::OneFan => "joins several fans of faces (bow-tie)",
+        }
+    }
+
+    /// What the user can do about it.
+    pub fn remedy(self) -> &'static str {
+        match self {
+            Self::NotEmpty => "check that the file is a mesh and was exported with faces",
+            Self::NotTooLarge => "split the mesh into components and convert them one by one",
+            Self::IndexInRange => "correct the face or export the mesh again",
+            Self::FiniteCoordinate => "correct the vertex or export the mesh again",
+            Self::Triangle => "--triangulate cuts faces of four or more corners into triangles",
+            Self::DistinctCorners => "remove degenerate faces",
+            Self::DistinctFaces => "remove duplicate faces",
+            Self::AtMostTwoFaces => "separate the sheets that meet there, or remove the inner faces",
+            Self::NoBoundary => "close the holes, or weld duplicate vertices if the gaps are seams",
+            Self::Orientable => "only two-sided surfaces can be converted; cut it or take its double cover",
+            Self::ConsistentOrientation => "--orient flips faces until they agree",
+            Self::OneFan => "give each fan a vertex of its own",
+        }
+    }
+}
+
+/// An element of a mesh; displayed with numbers that count from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// The mesh as a whole.
+    Mesh,
+    /// A vertex, by its index from 0.
+    Vertex(u32),
+    /// An edge, by the indices of its ends from 0.
+    Edge(u32, u32),
+    /// A face, by its index from 0.
+    Face(usize),
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mesh => write!(f, "the mesh"),
+            Self::Vertex(v) => write!(f, "vertex {}", u64::from(*v) + 1),
+            Self::Edge(a, b) => write!(f, "edge {}-{}", u64::from(*a) + 1, u64::from(*b) + 1),
+            Self::Face(face) => write!(f, "face {}", face + 1),
+        }
+    }
+}
+
+/// A broken law: the first element that breaks it, and how many do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Violation {
+    /// The law.
+    pub law: Law,
+    /// The first element, in file order, that breaks it.
+    pub element: Element,
+    /// How many elements break it.
+    pub count: usize,
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.element, self.law.complaint())?;
+        if self.count > 1 {
+            write!(f, " (first of {})", self.count)?;
+        }
+        Ok(())
+    }
+}
