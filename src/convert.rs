@@ -144,13 +144,14 @@ pub fn convert_timed(
 ) -> Conversion {
     progress.stage(Stage::Pairing);
     let mut random = Random::stream(settings.seed, &[settings.algorithm.id()]);
-    let (initial, pairing_seconds) = clock.time(|| settings.algorithm.pair(triangulation, &mut random));
+    let (initial, pairing_seconds) =
+        clock.time(|| settings.algorithm.pair(triangulation, &mut random));
     let unpaired_triangles = initial.matching.unpaired_count();
 
     progress.stage(Stage::Augmenting(unpaired_triangles / 2));
     let on_path = &mut || progress.path_found();
-    let ((perfect, augmentation), augmentation_seconds) =
-        clock.time(|| make_perfect(&initial.dual, initial.matching, settings.augmentation, on_path));
+    let ((perfect, augmentation), augmentation_seconds) = clock
+        .time(|| make_perfect(&initial.dual, initial.matching, settings.augmentation, on_path));
 
     Conversion {
         quadrangulation: Quadrangulation::new(&initial.triangulation, &perfect),
@@ -178,14 +179,16 @@ pub fn convert_list(
     progress: &mut dyn Progress,
 ) -> Result<(FaceList, Summary), ConvertError> {
     progress.stage(Stage::Building);
-    let (built, build_seconds) = clock.time(|| Triangulation::build_oriented(&mut list, flip_faces));
+    let (built, build_seconds) =
+        clock.time(|| Triangulation::build_oriented(&mut list, flip_faces));
     let triangulation = built.map_err(ConvertError::Refused)?;
     let conversion = convert_timed(&triangulation, settings, clock, progress);
 
     progress.stage(Stage::Checking);
     let quads = conversion.quadrangulation.faces();
     let attributes = conversion.quadrangulation.carry_attributes(&triangulation, &list);
-    let (check, check_seconds) = clock.time(|| check_faces(&quads, &list.faces, list.positions.len()));
+    let (check, check_seconds) =
+        clock.time(|| check_faces(&quads, &list.faces, list.positions.len()));
     let summary = Summary {
         vertices: triangulation.vertex_count(),
         edges: triangulation.edge_count(),

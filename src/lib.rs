@@ -33,7 +33,8 @@ pub mod triangulation;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum, make_perfect};
 pub use convert::{
-    Conversion, ConvertError, Progress, Settings, Stage, Summary, convert, convert_list, convert_timed,
+    Conversion, ConvertError, Progress, Settings, Stage, Summary, convert, convert_list,
+    convert_timed,
 };
 pub use dual::{DualGraph, Matching, PerfectMatching};
 pub use pairing::Algorithm;

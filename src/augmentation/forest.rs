@@ -28,7 +28,7 @@ pub(super) struct TreeId(u32);
 
 /// What the forest knows of a triangle. All zero means: in tree 0, which is none, so that fresh
 /// memory needs no initialisation and pages that no search touches are never made resident.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, bytemuck::Zeroable)]
 struct Node {
     /// The tree that took it in last; when that tree has been felled the rest means nothing.
     tree: u32,
@@ -124,7 +124,7 @@ pub(super) struct Forest<'g> {
 impl<'g> Forest<'g> {
     /// The empty forest.
     pub(super) fn new(graph: &'g DualGraph) -> Self {
-        let nodes = vec![Node::default(); graph.len()];
+        let nodes = bytemuck::zeroed_vec(graph.len());
         let (path, segments) = (Vec::new(), Vec::new());
         Self { graph, nodes, trees: vec![Self::no_tree()], clock: 0, visited: 0, path, segments }
     }
@@ -172,7 +172,13 @@ impl<'g> Forest<'g> {
 
     /// Adds the free pair `inner` - `outer` to the tree of the outer triangle `parent`.
     #[inline]
-    pub(super) fn grow(&mut self, tree: TreeId, parent: TriangleId, inner: TriangleId, outer: TriangleId) {
+    pub(super) fn grow(
+        &mut self,
+        tree: TreeId,
+        parent: TriangleId,
+        inner: TriangleId,
+        outer: TriangleId,
+    ) {
         debug_assert!(self.place(inner) == Place::Free && self.place(outer) == Place::Free);
         self.visited += 2;
         let node = |label, base| Node {
@@ -234,7 +240,14 @@ impl<'g> Forest<'g> {
     /// outer triangle `y` of the same tree, unless one blossom holds both already. Inner triangles of
     /// the cycle turn outer and are to be scanned.
     #[inline]
-    pub(super) fn shrink(&mut self, matching: &Matching, tree: TreeId, x: TriangleId, side: usize, y: TriangleId) {
+    pub(super) fn shrink(
+        &mut self,
+        matching: &Matching,
+        tree: TreeId,
+        x: TriangleId,
+        side: usize,
+        y: TriangleId,
+    ) {
         if self.base(x) == self.base(y) {
             return;
         }
@@ -294,12 +307,18 @@ impl<'g> Forest<'g> {
     /// Augments `matching` along the path that the edge `x` - `y` completes: from `x` back to its
     /// root, and from `y` back to its root or, if `y` is in no tree, ending there. Returns the
     /// path's length in edges.
-    pub(super) fn augment(&mut self, matching: &mut Matching, x: TriangleId, y: TriangleId) -> usize {
+    pub(super) fn augment(
+        &mut self,
+        matching: &mut Matching,
+        x: TriangleId,
+        y: TriangleId,
+    ) -> usize {
         self.path.clear();
         self.path.push((x, y));
         for end in [x, y] {
-            if let Place::Outer(tree) = self.place(end) {
-                self.collect_way_to_root(matching, tree, end);
+            match self.place(end) {
+                Place::Outer(tree) => self.collect_way_to_root(matching, tree, end),
+                _ => self.visited += 1,
             }
         }
         matching.replace_along(&self.path);

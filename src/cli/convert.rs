@@ -112,7 +112,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         seed: arguments.seed,
     };
     let converted = convert_list(list, arguments.repairs.orient, &settings, &clock, &mut status);
-    let (quads, summary) = converted.map_err(|error| conversion_failure(&arguments.input, &error))?;
+    let (quads, summary) =
+        converted.map_err(|error| conversion_failure(&arguments.input, &error))?;
     status.say("writing the quads");
     let (written, write_seconds) = clock.time(|| targets.write_quads(&quads));
     written?;
@@ -138,24 +139,36 @@ struct Targets<'a> {
 
 impl<'a> Targets<'a> {
     fn open(arguments: &'a Arguments) -> Result<Self, Failure> {
-        let open_quads = |path: &PathBuf| Output::create(path).map_err(|error| input::mesh_failure(path, &error));
-        let open_stats = |path: &PathBuf| AtomicFile::create(path).map_err(|error| stats_failure(path, &error));
-        let both_to_stdout = is_stdio(arguments.output.as_ref()) && is_stdio(arguments.stats.as_ref());
+        let open_quads = |path: &PathBuf| {
+            Output::create(path).map_err(|error| input::mesh_failure(path, &error))
+        };
+        let open_stats =
+            |path: &PathBuf| AtomicFile::create(path).map_err(|error| stats_failure(path, &error));
+        let both_to_stdout =
+            is_stdio(arguments.output.as_ref()) && is_stdio(arguments.stats.as_ref());
         if both_to_stdout {
             return Err(Failure::bad(
-                "-o - and --stats - would mix on standard output; send one of them to a file".into(),
+                "-o - and --stats - would mix on standard output; send one of them to a file"
+                    .into(),
             ));
         }
         Ok(Self {
             arguments,
             quads: arguments.output.as_ref().map(open_quads).transpose()?,
-            stats: arguments.stats.as_ref().filter(|path| path.as_os_str() != "-").map(open_stats).transpose()?,
+            stats: arguments
+                .stats
+                .as_ref()
+                .filter(|path| path.as_os_str() != "-")
+                .map(open_stats)
+                .transpose()?,
         })
     }
 
     fn write_quads(&mut self, quads: &FaceList) -> Result<(), Failure> {
         match (self.quads.take(), &self.arguments.output) {
-            (Some(output), Some(path)) => output.write(quads).map_err(|error| input::mesh_failure(path, &error)),
+            (Some(output), Some(path)) => {
+                output.write(quads).map_err(|error| input::mesh_failure(path, &error))
+            }
             _ => Ok(()),
         }
     }

@@ -60,15 +60,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(status);
     info.input = arguments.input.display().to_string();
     if arguments.json {
-        let json = serde_json::to_string_pretty(&info).map_err(|error| Failure::bad(error.to_string()))?;
+        let json =
+            serde_json::to_string_pretty(&info).map_err(|error| Failure::bad(error.to_string()))?;
         stdio::say(&json)?;
     } else {
         stdio::say(&describe(&info))?;
     }
     match info.violations.len() {
         0 => Ok(()),
-        1 => Err(Failure::bad(format!("{}: breaks a law, it cannot be converted as it is", info.input))),
-        laws => Err(Failure::bad(format!("{}: breaks {laws} laws, it cannot be converted as it is", info.input))),
+        1 => Err(Failure::bad(format!(
+            "{}: breaks a law, it cannot be converted as it is",
+            info.input
+        ))),
+        laws => Err(Failure::bad(format!(
+            "{}: breaks {laws} laws, it cannot be converted as it is",
+            info.input
+        ))),
     }
 }
 
@@ -127,7 +134,9 @@ fn of_survey(survey: &Survey) -> Info {
 }
 
 fn describe(info: &Info) -> String {
-    let genus = info.genus.map_or("none (not a closed, two-sided surface)".into(), |genus| genus.to_string());
+    let genus = info
+        .genus
+        .map_or("none (not a closed, two-sided surface)".into(), |genus| genus.to_string());
     let yes_no = |yes| if yes { "yes" } else { "no" };
     let mut text = format!(
         "{}\n  vertices               {}\n  unreferenced vertices  {}\n  edges                  {}\n  \
@@ -148,7 +157,10 @@ fn describe(info: &Info) -> String {
         yes_no(info.closed),
     );
     for broken in &info.violations {
-        text += &format!("\n  broken: {} [{}]\n          {}", broken.message, broken.law, broken.remedy);
+        text += &format!(
+            "\n  broken: {} [{}]\n          {}",
+            broken.message, broken.law, broken.remedy
+        );
     }
     text
 }

@@ -22,13 +22,20 @@ pub struct Repairs {
 pub fn read(path: &Path) -> Result<FaceList, Failure> {
     let list = mesh::read(path).map_err(|error| mesh_failure(path, &error))?;
     if !list.left_out.is_empty() {
-        stdio::complain(&format!("{}: note: not carried over: {}", path.display(), list.left_out.join(", ")));
+        stdio::complain(&format!(
+            "{}: note: not carried over: {}",
+            path.display(),
+            list.left_out.join(", ")
+        ));
     }
     Ok(list)
 }
 
 /// Reads a mesh and makes sure that it is a triangulation of closed surfaces.
-pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<(FaceList, Triangulation), Failure> {
+pub fn read_triangulation(
+    path: &Path,
+    repairs: Repairs,
+) -> Result<(FaceList, Triangulation), Failure> {
     let mut list = read(path)?;
     if repairs.triangulate {
         list.triangulate();
@@ -51,5 +58,10 @@ pub fn refusal(path: &Path, survey: &Survey) -> Failure {
         1 => " (and 1 other law is broken, see 'triquad info')".into(),
         more => format!(" (and {more} other laws are broken, see 'triquad info')"),
     };
-    Failure::bad(format!("{}: {first} [{}]{others}; {}", path.display(), first.law.name(), first.law.remedy()))
+    Failure::bad(format!(
+        "{}: {first} [{}]{others}; {}",
+        path.display(),
+        first.law.name(),
+        first.law.remedy()
+    ))
 }

@@ -43,7 +43,8 @@ impl DualGraph {
                 return Err(NotADualGraph::Loop(a));
             }
             for (from, to) in [(a, b), (b, a)] {
-                let row = neighbours.get_mut(from as usize).ok_or(NotADualGraph::OutOfRange(from))?;
+                let row =
+                    neighbours.get_mut(from as usize).ok_or(NotADualGraph::OutOfRange(from))?;
                 let free = row.iter_mut().find(|slot| **slot == TriangleId::NONE);
                 *free.ok_or(NotADualGraph::Degree(from))? = TriangleId(to);
             }

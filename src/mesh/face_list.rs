@@ -23,11 +23,7 @@ pub struct FaceList {
 impl FaceList {
     /// A list of positions and triangles without attributes.
     pub fn from_triangles(positions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
-        Self {
-            positions,
-            faces: Faces::uniform(3, triangles.into_flattened()),
-            ..Self::default()
-        }
+        Self { positions, faces: Faces::uniform(3, triangles.into_flattened()), ..Self::default() }
     }
 
     /// Reverses one face, keeping its first corner first.
@@ -177,7 +173,8 @@ impl Faces {
             Shape::Uniform(common) if self.corners.len() == arity && arity > 0 => *common = arity,
             Shape::Uniform(common) => {
                 let before = self.corners.len() - arity;
-                let mut ends: Vec<u32> = (1..=before / *common).map(|k| (k * *common) as u32).collect();
+                let mut ends: Vec<u32> =
+                    (1..=before / *common).map(|k| (k * *common) as u32).collect();
                 ends.push(self.corners.len() as u32);
                 self.shape = Shape::Mixed(ends);
             }
@@ -269,7 +266,8 @@ mod tests {
 
     #[test]
     fn faces_keep_their_corners_whatever_their_arity() {
-        let given: [&[u32]; 5] = [&[0, 1, 2, 3], &[3, 2, 1, 0], &[4, 5, 6], &[], &[7, 8, 9, 10, 11]];
+        let given: [&[u32]; 5] =
+            [&[0, 1, 2, 3], &[3, 2, 1, 0], &[4, 5, 6], &[], &[7, 8, 9, 10, 11]];
         let mut faces = Faces::default();
         for (count, face) in given.iter().enumerate() {
             faces.push(face);
@@ -286,7 +284,10 @@ mod tests {
         list.faces.push(&[7, 8, 9]);
         list.attributes = Some(Box::new(Attributes {
             corner_texture: (10..20).collect(),
-            sections: vec![Section { first_face: 1, line: "g a".into() }, Section { first_face: 3, line: "g b".into() }],
+            sections: vec![
+                Section { first_face: 1, line: "g a".into() },
+                Section { first_face: 3, line: "g b".into() },
+            ],
             ..Attributes::default()
         }));
         list.triangulate();
@@ -294,7 +295,10 @@ mod tests {
         assert!(list.faces.iter().eq(expected));
         list.reverse_face(4);
         let attributes = list.attributes.unwrap();
-        assert_eq!(attributes.corner_texture, [10, 11, 12, 10, 12, 13, 10, 13, 14, 15, 16, 17, 19, 18]);
+        assert_eq!(
+            attributes.corner_texture,
+            [10, 11, 12, 10, 12, 13, 10, 13, 14, 15, 16, 17, 19, 18]
+        );
         assert_eq!(list.faces.get(4), [7, 9, 8]);
         assert_eq!(attributes.sections.iter().map(|s| s.first_face).collect::<Vec<_>>(), [3, 5]);
     }

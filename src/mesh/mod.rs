@@ -81,9 +81,10 @@ fn decompress(bytes: Vec<u8>) -> Result<Vec<u8>, MeshError> {
     }
     let mut text = Vec::new();
     let damaged = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::UnexpectedEof => {
-            MeshError::Truncated { place: Place::End, missing: "the rest of the gzip stream".into() }
-        }
+        std::io::ErrorKind::UnexpectedEof => MeshError::Truncated {
+            place: Place::End,
+            missing: "the rest of the gzip stream".into(),
+        },
         _ => MeshError::malformed(Place::End, format!("damaged gzip stream: {error}")),
     };
     MultiGzDecoder::new(bytes.as_slice()).read_to_end(&mut text).map_err(damaged)?;

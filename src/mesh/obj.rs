@@ -108,7 +108,8 @@ impl Parser {
         self.list.positions.push(position);
         cursor.skip_blanks();
         if !cursor.at_end() {
-            match cursor.rest.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count() {
+            match cursor.rest.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count()
+            {
                 1 => self.has_weights = true,
                 _ => self.has_colours = true,
             }
@@ -144,7 +145,8 @@ impl Parser {
         }
         let attributes = &mut self.attributes;
         if !cursor.rest.starts_with(b"/") {
-            let texture = resolve(cursor.integer()?, attributes.texture_coordinates.len(), "texture")?;
+            let texture =
+                resolve(cursor.integer()?, attributes.texture_coordinates.len(), "texture")?;
             attributes.corner_texture.resize(corner, NO_INDEX);
             attributes.corner_texture.push(texture);
         }
@@ -183,14 +185,17 @@ impl Parser {
             }
             let missing = |&&index: &&u32| index != NO_INDEX && index as usize >= given;
             if let Some(&index) = indices.iter().find(missing) {
-                let problem = format!("a face names {kind} coordinate {}, there are {given}", index + 1);
+                let problem =
+                    format!("a face names {kind} coordinate {}, there are {given}", index + 1);
                 return Err(MeshError::malformed(Place::End, problem));
             }
         }
         if !self.attributes.is_empty() {
             self.list.attributes = Some(Box::new(self.attributes));
         }
-        for (seen, what) in [(self.has_weights, "vertex weights"), (self.has_colours, "vertex colours")] {
+        for (seen, what) in
+            [(self.has_weights, "vertex weights"), (self.has_colours, "vertex colours")]
+        {
             if seen {
                 self.list.left_out.push(what.into());
             }
@@ -306,7 +311,8 @@ pub(super) fn write(out: &mut dyn Write, mesh: &FaceList) -> io::Result<()> {
     for position in &mesh.positions {
         text.vertex(position)?;
     }
-    for (keyword, lines) in [("vt ", &attributes.texture_coordinates), ("vn ", &attributes.normals)] {
+    for (keyword, lines) in [("vt ", &attributes.texture_coordinates), ("vn ", &attributes.normals)]
+    {
         write_lines(&mut text, keyword, lines)?;
     }
     let mut sections = attributes.sections.iter().peekable();
@@ -346,7 +352,9 @@ impl Text<'_> {
         for corner in mesh.faces.range(face) {
             self.buffer.push(b' ');
             self.index(mesh.faces.corners()[corner]);
-            let given = |indices: &Vec<u32>| indices.get(corner).copied().filter(|&index| index != NO_INDEX);
+            let given = |indices: &Vec<u32>| {
+                indices.get(corner).copied().filter(|&index| index != NO_INDEX)
+            };
             match (given(&attributes.corner_texture), given(&attributes.corner_normal)) {
                 (None, None) => {}
                 (texture, normal) => {
@@ -401,7 +409,9 @@ mod tests {
 
     #[test]
     fn every_form_of_a_face_is_read() {
-        for face in ["f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1", "f -3 -2 -1"] {
+        for face in
+            ["f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1", "f -3 -2 -1"]
+        {
             for ending in ["\n", "\r\n", " \n", " # comment\n", ""] {
                 assert_eq!(faces(&format!("{POINTS}{face}{ending}")), [[0, 1, 2]], "{face:?}");
             }
@@ -429,7 +439,10 @@ mod tests {
             ("f 1 2 9999999999\n", "line 1: vertex index 9999999999 is out of range"),
             ("f 1 2 3x\n", "line 1: unexpected 'x' in a face"),
             ("f 1/ 2 3\n", "line 1: '' is not an index"),
-            ("v 0 0 0\nf 1/1 1/1 1/1\n", "end of file: a face names texture coordinate 1, there are 0"),
+            (
+                "v 0 0 0\nf 1/1 1/1 1/1\n",
+                "end of file: a face names texture coordinate 1, there are 0",
+            ),
         ];
         for (text, expected) in cases {
             assert_eq!(problem(text), expected, "{text:?}");

@@ -59,14 +59,20 @@ impl Algorithm {
         match self {
             Self::Triquad => "ours: as fast as possible, no edge moved",
             Self::SimpleGreedy => "simple greedy, edges in random order",
-            Self::PulliSegal => "greedy by the four priorities of Pulli and Segal, triangles in random order",
+            Self::PulliSegal => {
+                "greedy by the four priorities of Pulli and Segal, triangles in random order"
+            }
         }
     }
 
     /// Pairs up triangles of `triangulation`.
     ///
     /// Equal input and equal `random` give equal output. O(n).
-    pub fn pair<'t>(self, triangulation: &'t Triangulation, random: &mut Random) -> InitialPairing<'t> {
+    pub fn pair<'t>(
+        self,
+        triangulation: &'t Triangulation,
+        random: &mut Random,
+    ) -> InitialPairing<'t> {
         let dual = DualGraph::of(triangulation);
         let matching = match self {
             Self::Triquad => pulli_segal(&dual, None),
@@ -74,7 +80,12 @@ impl Algorithm {
             Self::PulliSegal => pulli_segal(&dual, Some(random)),
         };
         debug_assert!(matching.is_matching_of(&dual));
-        InitialPairing { triangulation: Cow::Borrowed(triangulation), dual, matching, edge_flips: 0 }
+        InitialPairing {
+            triangulation: Cow::Borrowed(triangulation),
+            dual,
+            matching,
+            edge_flips: 0,
+        }
     }
 }
 

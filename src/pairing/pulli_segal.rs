@@ -224,10 +224,99 @@ impl<'r> LowestSet<'r> {
     /// Lists what is left of the set, in random order if there is to be any randomness.
     fn list(&mut self, priority: &Priorities) {
         let all = (0..priority.triangles()).map(TriangleId::new);
-        let mut left: Vec<TriangleId> = all.filter(|&f| priority.of(f) == Priority::ThreeFree).collect();
+        let mut left: Vec<TriangleId> =
+            all.filter(|&f| priority.of(f) == Priority::ThreeFree).collect();
         if let Some(random) = self.random.as_deref_mut() {
             random.shuffle(&mut left);
         }
         self.listed = Some(left);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use triquad_generators::random::{Mix, random_surface};
+    use triquad_generators::{classic, grids};
+
+    use super::*;
+    use crate::mesh::FaceList;
+    use crate::triangulation::Triangulation;
+
+    /// The priority of `f` from section 3.1 to the letter, knowing only who is paired or left alone.
+    fn by_definition(graph: &DualGraph, done: &[bool], f: TriangleId) -> Priority {
+        let free =
+            |f: TriangleId| graph.neighbours(f).filter(|g| !done[g.index()]).collect::<Vec<_>>();
+        match free(f).as_slice() {
+            [_, _, _] => Priority::ThreeFree,
+            [a, b] if free(*a).len() == 3 && free(*b).len() == 3 => Priority::TwoFreeToLowest,
+            [_, _] => Priority::TwoFree,
+            _ => Priority::AtMostOneFree,
+        }
+    }
+
+    /// Runs the algorithm and compares every priority and every choice with the definition.
+    fn follow(graph: &DualGraph) {
+        let mut greedy = Greedy::new(graph);
+        let mut lowest = LowestSet::new(None);
+        while greedy.left > 0 {
+            let done: Vec<bool> =
+                graph.triangles().map(|f| greedy.priority.of(f) == Priority::Done).collect();
+            let expected = |f: TriangleId| by_definition(graph, &done, f);
+            let waiting = || graph.triangles().filter(|f| !done[f.index()]);
+            assert!(waiting().all(|f| greedy.priority.of(f) == expected(f)));
+            assert_eq!(waiting().count(), greedy.left);
+
+            let f = greedy.pop().or_else(|| lowest.pop(&greedy.priority)).unwrap();
+            assert_eq!(Some(expected(f)), waiting().map(expected).max());
+            let free = || graph.neighbours(f).filter(|g| !done[g.index()]);
+            let g = greedy.best_neighbour(f);
+            assert_eq!(g.map(expected), free().map(expected).max());
+            assert!(g.is_none_or(|g| free().any(|neighbour| neighbour == g)));
+            match g {
+                Some(g) => greedy.pair(f, g),
+                None => greedy.finish(f),
+            }
+        }
+    }
+
+    fn dual(surface: triquad_generators::Surface) -> DualGraph {
+        let list = FaceList::from_triangles(surface.positions, surface.triangles);
+        DualGraph::of(&Triangulation::build(&list).unwrap())
+    }
+
+    #[test]
+    fn every_choice_is_the_papers() {
+        let mut random = Random::stream(1, &["pulli-segal"]);
+        for (genus, mix) in
+            [0, 1, 2, 5].into_iter().flat_map(|genus| Mix::ALL.map(|mix| (genus, mix)))
+        {
+            for operations in [0, 1, 2, 5, 20, 60] {
+                follow(&dual(random_surface(genus, operations, mix, &mut |bound| {
+                    random.below(bound)
+                })));
+            }
+        }
+        follow(&dual(classic::tetrahedron()));
+        follow(&dual(grids::torus(9, 14)));
+    }
+
+    #[test]
+    fn boundaries_lock_edges_from_the_start() {
+        // A strip of five triangles: its ends have one free edge each.
+        follow(&DualGraph::from_edges(5, &[(0, 1), (1, 2), (2, 3), (3, 4)]).unwrap());
+        follow(
+            &DualGraph::from_edges(7, &[(0, 1), (1, 2), (2, 0), (0, 3), (1, 4), (2, 5)]).unwrap(),
+        );
+    }
+
+    #[test]
+    fn set_zero_is_drawn_on_for_every_component() {
+        let mut random = Random::stream(2, &["pulli-segal"]);
+        let tetrahedron = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
+        let edges: Vec<_> =
+            (0..300).flat_map(|c| tetrahedron.map(|(a, b)| (4 * c + a, 4 * c + b))).collect();
+        let graph = DualGraph::from_edges(1200, &edges).unwrap();
+        assert_eq!(pulli_segal(&graph, Some(&mut random)).unpaired_count(), 0);
+        assert_eq!(pulli_segal(&graph, None).unpaired_count(), 0);
     }
 }

@@ -241,7 +241,8 @@ impl Check<'_> {
                 return Err(Mismatch::EdgeOpen(tail, v));
             }
             let triangle = self.triangles.side(v, head).map(|inner| inner / 3);
-            self.inside[corner as usize] = triangle.ok_or(Mismatch::NotAPair(corner as usize / 4))?;
+            self.inside[corner as usize] =
+                triangle.ok_or(Mismatch::NotAPair(corner as usize / 4))?;
         }
         self.check_one_fan(v)
     }

@@ -64,7 +64,11 @@ impl Quadrangulation {
     /// A corner where both triangles meet takes the indices of the lower one; a quad belongs to the
     /// sections of its lower triangle. `triangles` must be the face list of the triangulation whose
     /// triangles were paired.
-    pub fn carry_attributes(&self, triangulation: &Triangulation, triangles: &FaceList) -> Option<Attributes> {
+    pub fn carry_attributes(
+        &self,
+        triangulation: &Triangulation,
+        triangles: &FaceList,
+    ) -> Option<Attributes> {
         let given = triangles.attributes.as_deref()?;
         Some(Attributes {
             texture_coordinates: given.texture_coordinates.clone(),

@@ -53,10 +53,9 @@ fn try_build(list: &FaceList) -> Option<Triangulation> {
     let stars = Stars::gather(corners, vertices);
     let twin = find_twins(corners, &stars)?;
     let unreferenced = (0..vertices).filter(|&v| stars.of(v).is_empty()).count();
-    drop(stars);
     let components = count_components(twin.as_slice());
-    let origin: Vec<VertexId> = corners.iter().map(|&vertex| VertexId(vertex)).collect();
-    Some(Triangulation { origin: origin.into(), twin, vertices, unreferenced, components })
+    let origin = stars.into_origins(corners);
+    Some(Triangulation { origin, twin, vertices, unreferenced, components })
 }
 
 /// The half-edges that leave each vertex, gathered by a counting sort.
@@ -87,6 +86,12 @@ impl Stars {
     fn of(&self, v: usize) -> &[HalfEdgeId] {
         let start = if v == 0 { 0 } else { self.ends[v - 1] };
         &self.half_edges[start as usize..self.ends[v] as usize]
+    }
+
+    /// The vertex that each half-edge leaves, in the memory of the list of half-edges.
+    fn into_origins(self, corners: &[u32]) -> IdVec<HalfEdgeId, VertexId> {
+        let slots = self.half_edges.into_iter().zip(corners);
+        slots.map(|(_, &vertex)| VertexId(vertex)).collect::<Vec<_>>().into()
     }
 }
 

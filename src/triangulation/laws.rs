@@ -82,9 +82,13 @@ impl Law {
             Self::Triangle => "--triangulate cuts faces of four or more corners into triangles",
             Self::DistinctCorners => "remove degenerate faces",
             Self::DistinctFaces => "remove duplicate faces",
-            Self::AtMostTwoFaces => "separate the sheets that meet there, or remove the inner faces",
+            Self::AtMostTwoFaces => {
+                "separate the sheets that meet there, or remove the inner faces"
+            }
             Self::NoBoundary => "close the holes, or weld duplicate vertices if the gaps are seams",
-            Self::Orientable => "only two-sided surfaces can be converted; cut it or take its double cover",
+            Self::Orientable => {
+                "only two-sided surfaces can be converted; cut it or take its double cover"
+            }
             Self::ConsistentOrientation => "--orient flips faces until they agree",
             Self::OneFan => "give each fan a vertex of its own",
         }

@@ -69,7 +69,8 @@ impl Survey {
             edges: edge_count,
             faces: list.faces.len(),
             triangles: list.faces.iter().filter(|face| face.len() == 3).count(),
-            euler_characteristic: connected.vertices as i64 - edge_count as i64 + counted_faces as i64,
+            euler_characteristic: connected.vertices as i64 - edge_count as i64
+                + counted_faces as i64,
             components: connected.components,
             boundary_loops: connected.boundary_loops,
             orientable: violations.none(Law::Orientable),
@@ -83,7 +84,8 @@ impl Survey {
     pub fn genus(&self) -> Option<usize> {
         let harmless = |law| matches!(law, Law::Triangle | Law::ConsistentOrientation);
         let surface = self.violations.iter().all(|violation| harmless(violation.law));
-        (surface && self.closed).then(|| (self.components as i64 - self.euler_characteristic / 2) as usize)
+        (surface && self.closed)
+            .then(|| (self.components as i64 - self.euler_characteristic / 2) as usize)
     }
 
     /// Flips the faces of `list`, the mesh surveyed, that disagree with most of their component.
@@ -171,7 +173,8 @@ fn find_duplicates(list: &FaceList, sound: &[bool], violations: &mut Violations)
         corners
     };
     // A sum does not depend on the order of the corners; equal sums are looked at more closely.
-    let scramble = |&v: &u32| (u64::from(v) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
+    let scramble =
+        |&v: &u32| (u64::from(v) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
     let key = |face: usize| list.faces.get(face).iter().map(scramble).fold(0, u64::wrapping_add);
     let mut keyed: Vec<(u64, usize)> =
         (0..sound.len()).filter(|&face| sound[face]).map(|face| (key(face), face)).collect();
@@ -181,7 +184,8 @@ fn find_duplicates(list: &FaceList, sound: &[bool], violations: &mut Violations)
         let mut members: Vec<(Vec<u32>, usize)> =
             group.iter().map(|&(_, face)| (sorted_corners(face), face)).collect();
         members.sort_unstable();
-        repeated.extend(members.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1));
+        repeated
+            .extend(members.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1));
     }
     repeated.sort_unstable();
     for face in repeated {
@@ -252,7 +256,8 @@ struct Sides {
 impl Sides {
     fn of(list: &FaceList, edges: &Edges, violations: &mut Violations) -> Self {
         let corners = list.faces.corners();
-        let agree = |one: &Side, other: &Side| corners[one.from as usize] != corners[other.from as usize];
+        let agree =
+            |one: &Side, other: &Side| corners[one.from as usize] != corners[other.from as usize];
         let mut sets = ParitySets::new(list.faces.len());
         let mut twisted = Vec::new();
         let mut disagreeing = Vec::new();

@@ -1,0 +1,224 @@
+//! One suite for every algorithm there is or will be: all-quad meshes of the same surface.
+
+mod common;
+
+use std::collections::{HashMap, HashSet};
+
+use proptest::prelude::*;
+use triquad::mesh::{FaceList, Faces};
+use triquad::triangulation::Id;
+use triquad::{
+    Algorithm, Augmentation, Mismatch, Quadrangulation, Settings, Triangulation, check, convert,
+    convert_list,
+};
+use triquad_generators::{Surface, classic, grids};
+
+fn all_settings(seed: u64) -> impl Iterator<Item = Settings> {
+    let pairs = Algorithm::ALL.into_iter().flat_map(|a| Augmentation::ALL.map(|b| (a, b)));
+    pairs.map(move |(algorithm, augmentation)| Settings { algorithm, augmentation, seed })
+}
+
+fn with_quads(list: &FaceList, quads: Vec<[u32; 4]>) -> FaceList {
+    FaceList { faces: Faces::uniform(4, quads.into_flattened()), ..list.clone() }
+}
+
+fn corners(quadrangulation: &Quadrangulation) -> Vec<[u32; 4]> {
+    quadrangulation.quads().iter().map(|quad| quad.map(|v| v.index() as u32)).collect()
+}
+
+/// The definition, with hash maps: every quad is two triangles across an edge, each used once, and
+/// the quads close up, oriented, with one fan round every vertex.
+fn assert_quadrangulation(surface: &Surface, quads: &[[u32; 4]]) {
+    let turned = |t: [u32; 3]| {
+        let least = (0..3).min_by_key(|&i| t[i]).unwrap();
+        [t[least], t[(least + 1) % 3], t[(least + 2) % 3]]
+    };
+    let mut left: HashSet<[u32; 3]> = surface.triangles.iter().copied().map(turned).collect();
+    for &[a, b, c, d] in quads {
+        let cuts = [[[a, b, c], [c, d, a]], [[b, c, d], [d, a, b]]].map(|cut| cut.map(turned));
+        let cut = cuts.iter().find(|cut| cut.iter().all(|t| left.contains(t)));
+        let cut = cut.expect("two triangles that are left");
+        assert!(cut.iter().all(|t| left.remove(t)));
+    }
+    assert!(left.is_empty());
+
+    let mut after: HashMap<(u32, u32), (usize, usize)> = HashMap::new();
+    for (q, quad) in quads.iter().enumerate() {
+        for i in 0..4 {
+            assert_eq!(
+                after.insert((quad[i], quad[(i + 1) % 4]), (q, i)),
+                None,
+                "a directed edge twice"
+            );
+        }
+    }
+    let mut at_vertex: HashMap<u32, Vec<(usize, usize)>> = HashMap::new();
+    for (q, quad) in quads.iter().enumerate() {
+        (0..4).for_each(|i| at_vertex.entry(quad[i]).or_default().push((q, i)));
+    }
+    for (v, sides) in at_vertex {
+        let (mut at, mut turned) = (sides[0], 0);
+        loop {
+            let (q, i) = at;
+            at = after[&(v, quads[q][(i + 3) % 4])];
+            turned += 1;
+            if at == sides[0] {
+                break;
+            }
+        }
+        assert_eq!(turned, sides.len(), "one fan");
+    }
+}
+
+fn assert_converts(surface: &Surface, settings: &Settings) {
+    let list = common::face_list(surface);
+    let triangulation = Triangulation::build(&list).unwrap();
+    let quads = corners(&convert(&triangulation, settings));
+    assert_quadrangulation(surface, &quads);
+    let degree_two = {
+        let mut degree = vec![0; surface.positions.len()];
+        quads.iter().flatten().for_each(|&v| degree[v as usize] += 1);
+        degree.iter().filter(|&&degree| degree == 2).count()
+    };
+    let report = check(&with_quads(&list, quads), &list).unwrap();
+    assert_eq!(report.degree_two_vertices, degree_two);
+    assert_eq!(report.euler_characteristic, triangulation.euler_characteristic());
+    assert_eq!(report.vertices, triangulation.vertex_count());
+}
+
+#[test]
+fn every_algorithm_quadrangulates_random_surfaces() {
+    for (seed, (_, surface)) in common::many_surfaces(60).enumerate() {
+        all_settings(seed as u64).for_each(|settings| assert_converts(&surface, &settings));
+    }
+}
+
+#[test]
+fn every_algorithm_quadrangulates_special_surfaces() {
+    for (_, surface) in common::special_surfaces() {
+        all_settings(0).for_each(|settings| assert_converts(&surface, &settings));
+    }
+}
+
+#[test]
+fn a_seed_fixes_the_result_and_another_changes_it() {
+    let triangulation = Triangulation::build(&common::face_list(&grids::torus(20, 30))).unwrap();
+    for algorithm in Algorithm::ALL {
+        let quads = |seed| {
+            let settings = Settings { algorithm, seed, ..Settings::default() };
+            corners(&convert(&triangulation, &settings))
+        };
+        assert_eq!(quads(1), quads(1));
+        if algorithm != Algorithm::Triquad {
+            let different: HashSet<_> = (0..5).map(quads).collect();
+            assert_eq!(different.len(), 5, "{algorithm}");
+        }
+    }
+}
+
+#[test]
+fn unreferenced_vertices_are_kept() {
+    let mut list = common::face_list(&grids::sphere(4));
+    list.positions.extend([[7.0; 3], [-0.0; 3]]);
+    let (quads, summary) = convert_list(
+        list.clone(),
+        false,
+        &Settings::default(),
+        &triquad::clock::SteppingClock::new(0.5),
+        &mut (),
+    )
+    .unwrap();
+    assert_eq!(quads.positions, list.positions);
+    assert_eq!(
+        (summary.vertices, summary.check.quads),
+        (list.positions.len() - 2, list.faces.len() / 2)
+    );
+    assert_eq!(summary.build_seconds, 0.5);
+    assert_eq!(summary.total_seconds(), 1.0);
+    assert!(check(&quads, &list).is_ok());
+}
+
+#[test]
+fn the_check_names_what_is_wrong() {
+    let surface = grids::torus(6, 5);
+    let list = common::face_list(&surface);
+    let triangulation = Triangulation::build(&list).unwrap();
+    let good = corners(&convert(&triangulation, &Settings::default()));
+    let verdict = |change: &dyn Fn(&mut Vec<[u32; 4]>)| {
+        let mut quads = good.clone();
+        change(&mut quads);
+        check(&with_quads(&list, quads), &list).unwrap_err()
+    };
+    assert!(matches!(
+        verdict(&|quads| quads.truncate(quads.len() - 1)),
+        Mismatch::EdgeOpen(..) | Mismatch::VertexUse(_)
+    ));
+    assert!(matches!(verdict(&|quads| quads.push(quads[3])), Mismatch::EdgeTwice(..)));
+    assert!(matches!(verdict(&|quads| quads[2].reverse()), Mismatch::EdgeTwice(..)));
+    let folded = |quads: &mut Vec<[u32; 4]>| {
+        let [a, b, c, _] = quads[0];
+        *quads = vec![[a, b, c, b]; 1];
+    };
+    assert!(matches!(verdict(&folded), Mismatch::RepeatedCorner(0) | Mismatch::VertexUse(_)));
+    assert_eq!(verdict(&|quads| quads[4][0] = 999), Mismatch::NotAQuad(4));
+
+    let other = common::face_list(&classic::octahedron());
+    let quads_of_other =
+        corners(&convert(&Triangulation::build(&other).unwrap(), &Settings::default()));
+    let turned = quads_of_other.iter().map(|&[a, b, c, d]| [b, c, d, a]).collect();
+    assert!(
+        check(&with_quads(&other, turned), &other).is_ok(),
+        "where a quad starts does not matter"
+    );
+    let mut moved = with_quads(&other, quads_of_other);
+    moved.positions[5][2] = 2.0;
+    assert_eq!(check(&moved, &other), Err(Mismatch::Moved(5)));
+    moved.positions.pop();
+    assert_eq!(check(&moved, &other), Err(Mismatch::VertexCount { quads: 5, triangles: 6 }));
+}
+
+#[test]
+fn a_quad_may_be_cut_along_either_diagonal_but_its_triangles_must_exist() {
+    let positions: Vec<[f64; 3]> =
+        (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from)).collect();
+    let cube = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+    let cut = |other_diagonal: usize| {
+        let halves = |(face, &[a, b, c, d]): (usize, &[u32; 4])| {
+            if face == other_diagonal { [[a, b, d], [b, c, d]] } else { [[a, b, c], [a, c, d]] }
+        };
+        let triangles = cube.iter().enumerate().flat_map(halves).collect();
+        FaceList::from_triangles(positions.clone(), triangles)
+    };
+    for other_diagonal in 0..6 {
+        let triangles = cut(other_diagonal);
+        assert!(check(&with_quads(&triangles, cube.to_vec()), &triangles).is_ok());
+    }
+    // Pair both triangles of a face with others, then cut that face along its other diagonal.
+    let (even, uneven) = (cut(6), cut(0));
+    let across: Vec<[u32; 4]> =
+        vec![[0, 2, 3, 6], [0, 3, 1, 5], [4, 5, 7, 6], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+    assert!(check(&with_quads(&even, across.clone()), &even).is_err());
+    assert!(check(&with_quads(&uneven, across), &uneven).is_err());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn any_sculpted_surface_is_quadrangulated(surface in common::sculpted_surface(), seed: u64) {
+        all_settings(seed).for_each(|settings| assert_converts(&surface, &settings));
+    }
+
+    #[test]
+    fn a_damaged_quad_mesh_never_passes(
+        surface in common::sculpted_surface(),
+        (quad, corner, vertex) in (any::<usize>(), 0..4usize, any::<u32>()),
+    ) {
+        let list = common::face_list(&surface);
+        let mut quads = corners(&convert(&Triangulation::build(&list).unwrap(), &Settings::default()));
+        let (quad, vertex) = (quad % quads.len(), vertex % list.positions.len() as u32);
+        prop_assume!(quads[quad][corner] != vertex);
+        quads[quad][corner] = vertex;
+        prop_assert!(check(&with_quads(&list, quads), &list).is_err());
+    }
+}
