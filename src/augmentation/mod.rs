@@ -5,9 +5,13 @@
 
 mod forest;
 mod local;
+mod single_tree;
 mod tarjan;
 
 use crate::dual::{DualGraph, Matching, PerfectMatching};
+use crate::triangulation::TriangleId;
+use forest::Forest;
+use single_tree::augment_from;
 
 /// How augmenting paths are searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -63,6 +67,25 @@ impl AugmentationStats {
         self.paths += 1;
         self.total_length += length;
         self.longest = self.longest.max(length);
+    }
+}
+
+/// Pairs single triangles by short augmenting paths while a pairing is still being made.
+pub(crate) struct Rescue<'g> {
+    graph: &'g DualGraph,
+    forest: Forest<'g>,
+}
+
+impl<'g> Rescue<'g> {
+    /// For matchings in `graph`; takes memory only as far as it is used.
+    pub(crate) fn new(graph: &'g DualGraph) -> Self {
+        Self { graph, forest: Forest::new(graph) }
+    }
+
+    /// Pairs the unpaired triangle `f` by an augmenting path to the nearest other unpaired one, which
+    /// is returned, unless that takes a search of more than `limit` triangles.
+    pub(crate) fn pair(&mut self, matching: &mut Matching, f: TriangleId, limit: usize) -> Option<TriangleId> {
+        augment_from(f, self.graph, &mut self.forest, matching, limit).map(|path| path.end)
     }
 }
 

@@ -2,7 +2,8 @@
 //! breadth-first alternating tree from one unpaired triangle, all state set up anew.
 
 use super::AugmentationStats;
-use super::forest::{Forest, Place};
+use super::forest::Forest;
+use super::single_tree::augment_from;
 use crate::dual::{DualGraph, Matching};
 use crate::triangulation::TriangleId;
 
@@ -22,37 +23,11 @@ pub(super) fn augment(
             continue;
         }
         forest.clear();
-        if let Some(length) = augment_from(graph, &mut forest, matching, root) {
-            stats.add_path(length);
+        if let Some(path) = augment_from(root, graph, &mut forest, matching, usize::MAX) {
+            stats.add_path(path.length);
             on_path();
         }
     }
     stats.triangles_visited = forest.visited();
     stats
-}
-
-/// Grows the tree of `root` until it reaches another unpaired triangle. The length of the path.
-fn augment_from(
-    graph: &DualGraph,
-    forest: &mut Forest<'_>,
-    matching: &mut Matching,
-    root: TriangleId,
-) -> Option<usize> {
-    let tree = forest.plant(root);
-    while let Some(v) = forest.next_to_scan(tree) {
-        for (side, w) in graph.sides(v).into_iter().enumerate() {
-            if w == TriangleId::NONE || w == matching.mate_or_none(v) {
-                continue;
-            }
-            match forest.place(w) {
-                Place::Inner(_) => {}
-                Place::Free => match matching.mate(w) {
-                    Some(mate) => forest.grow(tree, v, w, mate),
-                    None => return Some(forest.augment(matching, v, w)),
-                },
-                Place::Outer(_) => forest.shrink(matching, tree, v, side, w),
-            }
-        }
-    }
-    None
 }

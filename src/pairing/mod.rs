@@ -6,6 +6,7 @@
 
 mod pulli_segal;
 mod simple_greedy;
+mod triquad;
 
 use std::borrow::Cow;
 
@@ -15,6 +16,7 @@ use crate::triangulation::Triangulation;
 
 pub use pulli_segal::pulli_segal;
 pub use simple_greedy::simple_greedy;
+pub use triquad::triquad;
 
 /// An initial pairing, and the triangulation whose triangles it pairs.
 #[derive(Clone, Debug)]
@@ -33,7 +35,7 @@ pub struct InitialPairing<'t> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Algorithm {
-    /// `tq`: ours; for now the Pulli-Segal heuristic on the triangles in file order.
+    /// `tq`: ours, the Pulli-Segal heuristic that rescues every stranded triangle at once.
     Triquad,
     /// `sg`: simple greedy, edges in random order (Lemos et al., section 3.1).
     SimpleGreedy,
@@ -75,7 +77,7 @@ impl Algorithm {
     ) -> InitialPairing<'t> {
         let dual = DualGraph::of(triangulation);
         let matching = match self {
-            Self::Triquad => pulli_segal(&dual, None),
+            Self::Triquad => triquad(&dual),
             Self::SimpleGreedy => simple_greedy(&dual, random),
             Self::PulliSegal => pulli_segal(&dual, Some(random)),
         };

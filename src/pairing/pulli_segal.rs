@@ -41,11 +41,8 @@ enum Priority {
 /// is given, else in their order. Θ(n) time: a triangle changes its set at most three times. 5 bytes
 /// a triangle, and queues as long as the edge of the paired region.
 pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
-    let mut greedy = Greedy::new(graph);
-    let mut lowest = LowestSet::new(random);
-    while greedy.left > 0 {
-        let next = greedy.pop().or_else(|| lowest.pop(&greedy.priority));
-        let f = next.expect("a triangle that is not done is in a set");
+    let mut greedy = Greedy::new(graph, random);
+    while let Some(f) = greedy.next() {
         match greedy.best_neighbour(f) {
             Some(g) => greedy.pair(f, g),
             None => greedy.finish(f),
@@ -55,28 +52,40 @@ pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
 }
 
 /// The pairing so far, and the sets 3, 2 and 1 as queues.
-struct Greedy<'g> {
+pub(super) struct Greedy<'g> {
     graph: &'g DualGraph,
-    matching: Matching,
+    pub(super) matching: Matching,
     priority: Priorities,
     /// Triangles that are not done.
     left: usize,
     queues: [VecDeque<TriangleId>; 4],
+    lowest: LowestSet<'g>,
 }
 
 impl<'g> Greedy<'g> {
-    fn new(graph: &'g DualGraph) -> Self {
+    pub(super) fn new(graph: &'g DualGraph, random: Option<&'g mut Random>) -> Self {
         let mut greedy = Self {
             graph,
             matching: Matching::empty(graph.len()),
             priority: Priorities::new(graph.len()),
             left: graph.len(),
             queues: Default::default(),
+            lowest: LowestSet::new(random),
         };
         if graph.has_boundary() {
             graph.triangles().for_each(|f| greedy.relocate(f));
         }
         greedy
+    }
+
+    /// Takes a triangle of the highest non-empty set.
+    pub(super) fn next(&mut self) -> Option<TriangleId> {
+        if self.left == 0 {
+            return None;
+        }
+        let next = self.pop().or_else(|| self.lowest.pop(&self.priority));
+        debug_assert!(next.is_some(), "a triangle that is not done is in a set");
+        next
     }
 
     /// Takes a triangle of the highest non-empty set above set 0.
@@ -92,7 +101,7 @@ impl<'g> Greedy<'g> {
     }
 
     /// The neighbour of highest priority across a free edge.
-    fn best_neighbour(&self, f: TriangleId) -> Option<TriangleId> {
+    pub(super) fn best_neighbour(&self, f: TriangleId) -> Option<TriangleId> {
         let mut best = None;
         let mut highest = 0;
         for g in self.graph.sides(f) {
@@ -106,20 +115,32 @@ impl<'g> Greedy<'g> {
         best
     }
 
-    fn pair(&mut self, f: TriangleId, g: TriangleId) {
+    pub(super) fn pair(&mut self, f: TriangleId, g: TriangleId) {
         self.matching.pair(f, g);
         self.finish(f);
         self.finish(g);
-        for locked in self.graph.sides(f).into_iter().chain(self.graph.sides(g)) {
+        self.lock_edges(f);
+        self.lock_edges(g);
+    }
+
+    /// Takes `f` out of its set for good.
+    pub(super) fn finish(&mut self, f: TriangleId) {
+        self.priority.set(f, Priority::Done);
+        self.left -= 1;
+    }
+
+    /// Relocates the neighbours of `f`, which has been finished.
+    pub(super) fn lock_edges(&mut self, f: TriangleId) {
+        for locked in self.graph.sides(f) {
             if self.priority.of(locked) != Priority::Done {
                 self.relocate(locked);
             }
         }
     }
 
-    fn finish(&mut self, f: TriangleId) {
-        self.priority.set(f, Priority::Done);
-        self.left -= 1;
+    /// Whether `f` has been taken out of its set for good.
+    pub(super) fn is_done(&self, f: TriangleId) -> bool {
+        self.priority.of(f) == Priority::Done
     }
 
     /// Moves `f`, which may have lost a free edge, to the set where it belongs now, and with it the
@@ -256,8 +277,7 @@ mod tests {
 
     /// Runs the algorithm and compares every priority and every choice with the definition.
     fn follow(graph: &DualGraph) {
-        let mut greedy = Greedy::new(graph);
-        let mut lowest = LowestSet::new(None);
+        let mut greedy = Greedy::new(graph, None);
         while greedy.left > 0 {
             let done: Vec<bool> =
                 graph.triangles().map(|f| greedy.priority.of(f) == Priority::Done).collect();
@@ -266,7 +286,7 @@ mod tests {
             assert!(waiting().all(|f| greedy.priority.of(f) == expected(f)));
             assert_eq!(waiting().count(), greedy.left);
 
-            let f = greedy.pop().or_else(|| lowest.pop(&greedy.priority)).unwrap();
+            let f = greedy.next().unwrap();
             assert_eq!(Some(expected(f)), waiting().map(expected).max());
             let free = || graph.neighbours(f).filter(|g| !done[g.index()]);
             let g = greedy.best_neighbour(f);

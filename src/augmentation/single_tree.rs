@@ -1,0 +1,51 @@
+//! The search for an augmenting path from one unpaired triangle, breadth first.
+
+use super::forest::{Forest, Place};
+use crate::dual::{DualGraph, Matching};
+use crate::triangulation::TriangleId;
+
+/// An augmenting path that has been augmented along.
+pub(super) struct Augmented {
+    /// Number of its edges.
+    pub(super) length: usize,
+    /// The triangle at its other end.
+    pub(super) end: TriangleId,
+}
+
+/// Grows a tree from the unpaired triangle `root` until it reaches another unpaired triangle, and
+/// augments along the path; or until there is nowhere to go or `limit` triangles have been visited.
+///
+/// The tree is felled afterwards. O(α) a triangle visited.
+pub(super) fn augment_from(
+    root: TriangleId,
+    graph: &DualGraph,
+    forest: &mut Forest<'_>,
+    matching: &mut Matching,
+    limit: usize,
+) -> Option<Augmented> {
+    let enough = forest.visited().saturating_add(limit);
+    let tree = forest.plant(root);
+    let mut found = None;
+    while let Some(v) = forest.next_to_scan(tree)
+        && found.is_none()
+        && forest.visited() < enough
+    {
+        for (side, w) in graph.sides(v).into_iter().enumerate() {
+            if w == TriangleId::NONE || w == matching.mate_or_none(v) {
+                continue;
+            }
+            match (forest.place(w), matching.mate(w)) {
+                (Place::Inner(_), _) => {}
+                (Place::Outer(_), _) => forest.shrink(matching, tree, v, side, w),
+                (Place::Free, Some(mate)) => forest.grow(tree, v, w, mate),
+                (Place::Free, None) => {
+                    let length = forest.augment(matching, v, w);
+                    found = Some(Augmented { length, end: w });
+                    break;
+                }
+            }
+        }
+    }
+    forest.fell(tree);
+    found
+}
