@@ -84,7 +84,12 @@ impl<'g> Rescue<'g> {
 
     /// Pairs the unpaired triangle `f` by an augmenting path to the nearest other unpaired one, which
     /// is returned, unless that takes a search of more than `limit` triangles.
-    pub(crate) fn pair(&mut self, matching: &mut Matching, f: TriangleId, limit: usize) -> Option<TriangleId> {
+    pub(crate) fn pair(
+        &mut self,
+        matching: &mut Matching,
+        f: TriangleId,
+        limit: usize,
+    ) -> Option<TriangleId> {
         augment_from(f, self.graph, &mut self.forest, matching, limit).map(|path| path.end)
     }
 }

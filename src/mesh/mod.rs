@@ -12,7 +12,8 @@ mod ply;
 mod stl;
 mod tokens;
 
-use std::io::Read;
+use std::fs::File;
+use std::io::{self, BufReader, Read};
 use std::path::Path;
 
 use flate2::read::MultiGzDecoder;
@@ -65,41 +66,67 @@ fn is_gzip(path: &Path) -> bool {
 /// What is wrong, and where in the file.
 pub fn read(path: &Path) -> Result<FaceList, MeshError> {
     let format = Format::of(path)?;
-    let bytes = if path.as_os_str() == "-" {
-        let mut bytes = Vec::new();
-        std::io::stdin().lock().read_to_end(&mut bytes)?;
-        bytes
-    } else {
-        std::fs::read(path)?
-    };
-    parse(&decompress(bytes)?, format)
-}
-
-fn decompress(bytes: Vec<u8>) -> Result<Vec<u8>, MeshError> {
-    if !bytes.starts_with(&[0x1f, 0x8b]) {
-        return Ok(bytes);
+    if path.as_os_str() == "-" {
+        return read_from(&mut io::stdin().lock(), format);
     }
-    let mut text = Vec::new();
-    let damaged = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::UnexpectedEof => MeshError::Truncated {
-            place: Place::End,
-            missing: "the rest of the gzip stream".into(),
-        },
-        _ => MeshError::malformed(Place::End, format!("damaged gzip stream: {error}")),
-    };
-    MultiGzDecoder::new(bytes.as_slice()).read_to_end(&mut text).map_err(damaged)?;
-    Ok(text)
+    if path.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder").into());
+    }
+    read_from(&mut File::open(path)?, format)
 }
 
-/// Reads a mesh from the content of a file.
+/// Reads a mesh from what `input` gives, plain or gzipped.
+///
+/// # Errors
+/// What is wrong, and where in the text.
+pub fn read_from(input: &mut dyn Read, format: Format) -> Result<FaceList, MeshError> {
+    let mut start = Vec::new();
+    input.take(GZIP.len() as u64).read_to_end(&mut start)?;
+    let mut whole = start.as_slice().chain(input);
+    if start == GZIP {
+        // Room for the decoder to work on, or it would read byte by byte.
+        let mut decoder = MultiGzDecoder::new(BufReader::with_capacity(1 << 16, whole));
+        parse_from(&mut decoder, format).map_err(gzip_error)
+    } else {
+        parse_from(&mut whole, format)
+    }
+}
+
+/// The bytes that every gzip file starts with.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
+
+fn gzip_error(error: MeshError) -> MeshError {
+    match error {
+        MeshError::Io(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+            MeshError::Truncated {
+                place: Place::End,
+                missing: "the rest of the gzip stream".into(),
+            }
+        }
+        MeshError::Io(error) => {
+            MeshError::malformed(Place::End, format!("damaged gzip stream: {error}"))
+        }
+        error => error,
+    }
+}
+
+fn parse_from(input: &mut dyn Read, format: Format) -> Result<FaceList, MeshError> {
+    if format == Format::Obj {
+        return obj::read(input);
+    }
+    let mut bytes = Vec::new();
+    input.read_to_end(&mut bytes)?;
+    match format {
+        Format::Ply => ply::read(&bytes),
+        Format::Off => off::read(&bytes),
+        _ => stl::read(&bytes),
+    }
+}
+
+/// Reads a mesh from the content of a file, plain or gzipped.
 ///
 /// # Errors
 /// What is wrong, and where in `bytes`.
 pub fn parse(bytes: &[u8], format: Format) -> Result<FaceList, MeshError> {
-    match format {
-        Format::Obj => obj::read(bytes),
-        Format::Ply => ply::read(bytes),
-        Format::Off => off::read(bytes),
-        Format::Stl => stl::read(bytes),
-    }
+    read_from(&mut &bytes[..], format)
 }

@@ -4,69 +4,145 @@
 //! objects, groups, smoothing groups and materials as the lines they are. Everything else is skipped.
 //! Four million triangles take a fraction of a second: this is what users wait for.
 
-use std::borrow::Cow;
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 
 use super::{Attributes, FaceList, Lines, MeshError, NO_INDEX, Place, Section};
 
-/// Reads an OBJ file.
+/// Reads an OBJ file, a block at a time: the text is never held as a whole.
 ///
 /// # Errors
-/// The line and what is wrong there.
-pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
-    let text = join_continued_lines(bytes);
+/// The line and what is wrong there, or what `input` complains of.
+pub(super) fn read(input: &mut dyn Read) -> Result<FaceList, MeshError> {
     let mut parser = Parser::default();
-    let mut start = 0;
-    while start < text.len() {
-        let end = memchr::memchr(b'\n', &text[start..]).map_or(text.len(), |length| start + length);
-        if let Err(fault) = parser.line(&text[start..end]) {
-            return Err(fault.at(line_number(bytes, start)));
+    let mut blocks = Blocks::default();
+    while let Some(block) = blocks.next(input)? {
+        let mut cursor = Cursor { rest: block.text };
+        while !cursor.rest.is_empty() {
+            if let Err(fault) = parser.line(&mut cursor) {
+                return Err(fault.at(block.line_at(block.text.len() - cursor.rest.len())));
+            }
+            cursor.skip_line();
         }
-        start = end + 1;
     }
     parser.finish()
 }
 
-/// Replaces each backslash at the end of a line, and the line break, by as many spaces: positions in
-/// the text stay what they are in the file.
-fn join_continued_lines(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let break_after = |slash: usize| match bytes[slash + 1..] {
-        [b'\n', ..] => 2,
-        [b'\r', b'\n', ..] => 3,
-        _ => 0,
-    };
-    let mut text = Cow::Borrowed(bytes);
-    for slash in memchr::memchr_iter(b'\\', bytes) {
-        let length = break_after(slash);
-        if length > 0 {
-            text.to_mut()[slash..slash + length].fill(b' ');
+/// Number of bytes asked for at a time.
+const BLOCK: usize = 1 << 20;
+
+/// The text in blocks of whole lines, continued ones joined.
+#[derive(Default)]
+struct Blocks {
+    buffer: Vec<u8>,
+    /// Length of the last block given out, at the front of `buffer`.
+    given: usize,
+    lines_given: usize,
+    /// Where in the block line breaks have been replaced to join lines.
+    joined: Vec<usize>,
+}
+
+/// Some whole lines.
+struct Block<'b> {
+    text: &'b [u8],
+    lines_before: usize,
+    joined: &'b [usize],
+}
+
+impl Block<'_> {
+    /// The number in the file of the line at `position`.
+    fn line_at(&self, position: usize) -> usize {
+        let breaks = memchr::memchr_iter(b'\n', &self.text[..position]).count();
+        let joined = self.joined.iter().filter(|&&at| at < position).count();
+        self.lines_before + breaks + joined + 1
+    }
+}
+
+impl Blocks {
+    fn next(&mut self, input: &mut dyn Read) -> Result<Option<Block<'_>>, MeshError> {
+        self.drop_given();
+        let mut end;
+        loop {
+            let before = self.buffer.len();
+            input.take(BLOCK as u64).read_to_end(&mut self.buffer)?;
+            let at_end = self.buffer.len() == before;
+            end = if at_end { self.buffer.len() } else { end_of_whole_lines(&self.buffer) };
+            if end > 0 || at_end {
+                break;
+            }
+        }
+        self.given = end;
+        self.join_continued_lines();
+        let text = &self.buffer[..end];
+        let block = Block { text, lines_before: self.lines_given, joined: &self.joined };
+        Ok((end > 0).then_some(block))
+    }
+
+    fn drop_given(&mut self) {
+        let given = &self.buffer[..self.given];
+        self.lines_given += memchr::memchr_iter(b'\n', given).count() + self.joined.len();
+        self.joined.clear();
+        self.buffer.drain(..self.given);
+    }
+
+    /// Replaces each backslash at the end of a line, and the line break, by as many spaces.
+    fn join_continued_lines(&mut self) {
+        let mut from = 0;
+        while let Some(found) = memchr::memchr(b'\\', &self.buffer[from..self.given]) {
+            let slash = from + found;
+            let length = match self.buffer[slash + 1..self.given] {
+                [b'\n', ..] => 2,
+                [b'\r', b'\n', ..] => 3,
+                _ => 0,
+            };
+            if length > 0 {
+                self.buffer[slash..slash + length].fill(b' ');
+                self.joined.push(slash + length - 1);
+            }
+            from = slash + 1;
         }
     }
-    text
 }
 
-fn line_number(bytes: &[u8], position: usize) -> usize {
-    memchr::memchr_iter(b'\n', &bytes[..position]).count() + 1
+/// Where the last line ends that is whole and not continued; 0 if none does.
+fn end_of_whole_lines(text: &[u8]) -> usize {
+    let mut end = text.len();
+    while let Some(at) = memchr::memrchr(b'\n', &text[..end]) {
+        match text[..at] {
+            [.., b'\\'] | [.., b'\\', b'\r'] => end = at,
+            _ => return at + 1,
+        }
+    }
+    0
 }
 
-/// What is wrong with a line.
-enum Fault {
+/// What is wrong with a line. Boxed, so that results fit in registers where nothing is wrong.
+struct Fault(Box<Problem>);
+
+enum Problem {
     Malformed(String),
     TooLarge,
 }
 
 impl Fault {
     fn at(self, line: usize) -> MeshError {
-        match self {
-            Self::Malformed(problem) => MeshError::malformed(Place::Line(line), problem),
-            Self::TooLarge => MeshError::TooLarge,
+        match *self.0 {
+            Problem::Malformed(problem) => MeshError::malformed(Place::Line(line), problem),
+            Problem::TooLarge => MeshError::TooLarge,
         }
     }
 }
 
+impl From<String> for Fault {
+    #[cold]
+    fn from(problem: String) -> Self {
+        Self(Box::new(Problem::Malformed(problem)))
+    }
+}
+
 impl From<&str> for Fault {
+    #[cold]
     fn from(problem: &str) -> Self {
-        Self::Malformed(problem.to_owned())
+        problem.to_owned().into()
     }
 }
 
@@ -79,36 +155,34 @@ struct Parser {
 }
 
 impl Parser {
-    fn line(&mut self, line: &[u8]) -> Result<(), Fault> {
-        let line = line.trim_ascii_start();
-        match line {
-            [b'v', b' ' | b'\t', rest @ ..] => self.vertex(rest),
-            [b'f', b' ' | b'\t', rest @ ..] => self.face(rest),
-            [b'v', b't', b' ' | b'\t', rest @ ..] => {
-                self.attributes.texture_coordinates.push(rest.trim_ascii());
-                Ok(())
+    fn line(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+        cursor.skip_blanks();
+        match cursor.rest {
+            [b'v', b' ' | b'\t', rest @ ..] => {
+                cursor.rest = rest;
+                self.vertex(cursor)
             }
-            [b'v', b'n', b' ' | b'\t', rest @ ..] => {
-                self.attributes.normals.push(rest.trim_ascii());
-                Ok(())
+            [b'f', b' ' | b'\t', rest @ ..] => {
+                cursor.rest = rest;
+                self.face(cursor)
             }
             _ => {
-                self.other(line);
+                self.other(cursor.line().trim_ascii());
                 Ok(())
             }
         }
     }
 
-    fn vertex(&mut self, line: &[u8]) -> Result<(), Fault> {
-        let mut cursor = Cursor { rest: line };
-        let mut position = [0.0; 3];
-        for coordinate in &mut position {
-            *coordinate = cursor.number()?;
-        }
+    fn vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+        let position = [cursor.number()?, cursor.number()?, cursor.number()?];
         self.list.positions.push(position);
         cursor.skip_blanks();
         if !cursor.at_end() {
-            match cursor.rest.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count()
+            match cursor
+                .line()
+                .split(u8::is_ascii_whitespace)
+                .filter(|word| !word.is_empty())
+                .count()
             {
                 1 => self.has_weights = true,
                 _ => self.has_colours = true,
@@ -117,19 +191,18 @@ impl Parser {
         Ok(())
     }
 
-    fn face(&mut self, line: &[u8]) -> Result<(), Fault> {
-        let mut cursor = Cursor { rest: line };
+    fn face(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         let mut arity = 0;
         loop {
             cursor.skip_blanks();
             if cursor.at_end() {
                 break;
             }
-            self.corner(&mut cursor)?;
+            self.corner(cursor)?;
             arity += 1;
         }
         if self.list.faces.corners().len() > crate::triangulation::MAX_HALF_EDGES {
-            return Err(Fault::TooLarge);
+            return Err(Fault(Box::new(Problem::TooLarge)));
         }
         self.list.faces.close_face(arity);
         Ok(())
@@ -158,12 +231,15 @@ impl Parser {
         cursor.end_of_word()
     }
 
-    /// Keeps the lines that say what the faces after them belong to.
+    /// Keeps texture coordinates and normals, and the lines that say what the faces after them belong
+    /// to.
     fn other(&mut self, line: &[u8]) {
-        let line = line.trim_ascii_end();
-        let keyword = line.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        let end = line.iter().position(u8::is_ascii_whitespace).unwrap_or(line.len());
+        let (keyword, value) = line.split_at(end);
         let text = || String::from_utf8_lossy(line).into_owned();
         match keyword {
+            b"vt" => self.attributes.texture_coordinates.push(value.trim_ascii_start()),
+            b"vn" => self.attributes.normals.push(value.trim_ascii_start()),
             b"o" | b"g" | b"s" | b"usemtl" => {
                 let first_face = self.list.faces.len();
                 self.attributes.sections.push(Section { first_face, line: text() });
@@ -207,33 +283,49 @@ impl Parser {
 /// The index from 0 that `index` means when `count` elements have been given so far.
 fn resolve(index: i64, count: usize, kind: &str) -> Result<u32, Fault> {
     let from_zero = match index {
-        0 => return Err(Fault::Malformed(format!("{kind} index 0: indices start at 1"))),
+        0 => return Err(format!("{kind} index 0: indices start at 1").into()),
         1.. => index - 1,
         _ => count as i64 + index,
     };
     match u32::try_from(from_zero) {
         Ok(resolved) if resolved != NO_INDEX => Ok(resolved),
-        _ => Err(Fault::Malformed(format!("{kind} index {index} is out of range"))),
+        _ => Err(format!("{kind} index {index} is out of range").into()),
     }
 }
 
-/// What is left of a line.
-struct Cursor<'l> {
-    rest: &'l [u8],
+/// What is left of the text.
+struct Cursor<'t> {
+    rest: &'t [u8],
 }
 
-impl Cursor<'_> {
+impl<'t> Cursor<'t> {
+    #[inline]
     fn skip_blanks(&mut self) {
         while let [b' ' | b'\t' | b'\r', rest @ ..] = self.rest {
             self.rest = rest;
         }
     }
 
-    /// Whether only a comment is left, or nothing.
+    /// Whether only a comment is left of the line, or nothing.
+    #[inline]
     fn at_end(&self) -> bool {
-        matches!(self.rest, [] | [b'#', ..])
+        matches!(self.rest, [] | [b'\n' | b'#', ..])
     }
 
+    /// What is left of the line.
+    fn line(&self) -> &'t [u8] {
+        &self.rest[..memchr::memchr(b'\n', self.rest).unwrap_or(self.rest.len())]
+    }
+
+    #[inline]
+    fn skip_line(&mut self) {
+        self.rest = match self.rest {
+            [b'\n', rest @ ..] => rest,
+            rest => rest.get(self.line().len() + 1..).unwrap_or_default(),
+        };
+    }
+
+    #[inline]
     fn take(&mut self, byte: u8) -> bool {
         let found = self.rest.first() == Some(&byte);
         if found {
@@ -242,13 +334,15 @@ impl Cursor<'_> {
         found
     }
 
+    #[inline]
     fn end_of_word(&self) -> Result<(), Fault> {
         match self.rest {
-            [] | [b' ' | b'\t' | b'\r' | b'#', ..] => Ok(()),
+            [] | [b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => Ok(()),
             _ => Err(format!("unexpected '{}' in a face", word(self.rest)).into()),
         }
     }
 
+    #[inline]
     fn number(&mut self) -> Result<f64, Fault> {
         self.skip_blanks();
         if self.at_end() {
@@ -257,7 +351,7 @@ impl Cursor<'_> {
         let (value, length) = fast_float2::parse_partial(self.rest)
             .map_err(|_| Fault::from(format!("'{}' is not a number", word(self.rest))))?;
         match self.rest[length..] {
-            [] | [b' ' | b'\t' | b'\r' | b'#', ..] => {
+            [] | [b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => {
                 self.rest = &self.rest[length..];
                 Ok(value)
             }
@@ -266,11 +360,12 @@ impl Cursor<'_> {
     }
 
     /// A whole number of at most ten digits, with or without a sign.
+    #[inline]
     fn integer(&mut self) -> Result<i64, Fault> {
         let start = self.rest;
         let negative = self.take(b'-');
-        let mut value = 0;
-        let mut digits = 0;
+        let (mut value, mut digits) = leading_digits(self.rest);
+        self.rest = &self.rest[digits..];
         while let [digit @ b'0'..=b'9', rest @ ..] = self.rest
             && digits < 11
         {
@@ -285,10 +380,24 @@ impl Cursor<'_> {
     }
 }
 
-impl From<String> for Fault {
-    fn from(problem: String) -> Self {
-        Self::Malformed(problem)
+/// The value and number of the digits among the first eight bytes up to the first other one, all
+/// eight at once; none if there are fewer than eight bytes.
+#[inline]
+fn leading_digits(text: &[u8]) -> (i64, usize) {
+    let Some(&bytes) = text.first_chunk::<8>() else { return (0, 0) };
+    // Digits become 0 to 9; of any other byte the top bit is set in `others`.
+    let word = u64::from_le_bytes(bytes) ^ 0x3030_3030_3030_3030;
+    let others =
+        (word | (word & 0x7f7f_7f7f_7f7f_7f7f) + 0x7676_7676_7676_7676) & 0x8080_8080_8080_8080;
+    let digits = others.trailing_zeros() as usize / 8;
+    if digits == 0 {
+        return (0, 0);
     }
+    // As if zeros stood in front; then neighbouring digits are joined, pairs, and fours.
+    let ones = word << (64 - 8 * digits);
+    let pairs = (ones.wrapping_mul(10) + (ones >> 8)) & 0x00ff_00ff_00ff_00ff;
+    let fours = (pairs.wrapping_mul(100) + (pairs >> 16)) & 0x0000_ffff_0000_ffff;
+    ((fours.wrapping_mul(10_000) + (fours >> 32)) as u32 as i64, digits)
 }
 
 /// The first word of `text`, shortened, for messages.
@@ -397,6 +506,10 @@ impl Text<'_> {
 mod tests {
     use super::*;
 
+    fn read(text: &[u8]) -> Result<FaceList, MeshError> {
+        super::read(&mut &text[..])
+    }
+
     fn faces(text: &str) -> Vec<Vec<u32>> {
         read(text.as_bytes()).unwrap().faces.iter().map(<[u32]>::to_vec).collect()
     }
@@ -418,6 +531,39 @@ mod tests {
         }
         assert_eq!(faces("f 3\t2  1\n"), [[2, 1, 0]], "vertices may come later");
         assert_eq!(faces("f 1 2 \\\n 3 \\\r\n4\nf 1 2 3\n"), [vec![0, 1, 2, 3], vec![0, 1, 2]]);
+    }
+
+    #[test]
+    fn indices_of_every_length_are_read() {
+        for number in [
+            0,
+            7,
+            10,
+            99,
+            100,
+            1234,
+            99_999,
+            123_456,
+            7_654_321,
+            98_765_432,
+            987_654_321,
+            4_294_967_295,
+        ] {
+            for text in [
+                format!("{number}"),
+                format!("{number} 12345678"),
+                format!("{number}/9"),
+                format!("{number}a"),
+            ] {
+                let mut cursor = Cursor { rest: text.as_bytes() };
+                assert_eq!(cursor.integer().ok(), Some(number), "{text}");
+                assert!(!cursor.rest.first().is_some_and(u8::is_ascii_digit), "{text}");
+            }
+        }
+        for byte in (0..=255u8).filter(|byte| !byte.is_ascii_digit()) {
+            let text = [b'4', b'2', byte, byte, b'1', byte, b'3', b'5', b'6'];
+            assert_eq!(leading_digits(&text), (42, 2), "{byte}");
+        }
     }
 
     #[test]
@@ -468,6 +614,26 @@ mod tests {
         let list = read(b"v 0 0 0 1\nv 0 0 0 0.5 0.5 0.5\nvp 1 2\nl 1 2\ncurv 0 1 1 2\n").unwrap();
         assert_eq!(list.left_out, ["vertex weights", "vertex colours"]);
         assert!(list.faces.is_empty() && list.attributes.is_none());
+    }
+
+    #[test]
+    fn lines_may_lie_across_blocks() {
+        let mut text = String::new();
+        let count = 3 * BLOCK / 40;
+        for i in 0..count {
+            text += &format!("v {i}.5 \\\n  0.25 {:>20}\r\n", i % 1000);
+        }
+        text += &format!("# {}\n", "long ".repeat(BLOCK / 3));
+        let list = read(text.as_bytes()).unwrap();
+        assert_eq!(list.positions.len(), count);
+        assert!(
+            list.positions
+                .iter()
+                .enumerate()
+                .all(|(i, p)| *p == [i as f64 + 0.5, 0.25, (i % 1000) as f64])
+        );
+        text += "f 1 2 x\n";
+        assert_eq!(problem(&text), format!("line {}: 'x' is not an index", 2 * count + 2));
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! vertex an array over all vertices remembers which half-edge leads where. A mesh that breaks a
 //! law is given up at the first sign and handed to the slower, exhaustive [`Survey`].
 
-use super::{HalfEdgeId, Id, IdVec, Survey, TriangleId, Triangulation, VertexId};
+use super::{HalfEdgeId, Id, IdVec, Survey, Triangulation, VertexId};
 use crate::mesh::FaceList;
 
 impl Triangulation {
@@ -53,7 +53,7 @@ fn try_build(list: &FaceList) -> Option<Triangulation> {
     let stars = Stars::gather(corners, vertices);
     let twin = find_twins(corners, &stars)?;
     let unreferenced = (0..vertices).filter(|&v| stars.of(v).is_empty()).count();
-    let components = count_components(twin.as_slice());
+    let components = count_components(corners, vertices, unreferenced);
     let origin = stars.into_origins(corners);
     Some(Triangulation { origin, twin, vertices, unreferenced, components })
 }
@@ -140,25 +140,31 @@ fn is_one_fan(star: &[HalfEdgeId], twin: &IdVec<HalfEdgeId, HalfEdgeId>) -> bool
     h == first && turned == star.len() && turned >= 3
 }
 
-fn count_components(twins: &[HalfEdgeId]) -> usize {
-    let mut reached = vec![false; twins.len() / 3];
-    let mut stack = Vec::new();
-    let mut components = 0;
-    for seed in 0..reached.len() {
-        if reached[seed] {
-            continue;
-        }
-        components += 1;
-        reached[seed] = true;
-        stack.push(TriangleId::new(seed));
-        while let Some(triangle) = stack.pop() {
-            for h in triangle.half_edges() {
-                let neighbour = twins[h.index()].triangle();
-                if !std::mem::replace(&mut reached[neighbour.index()], true) {
-                    stack.push(neighbour);
-                }
+/// Number of components: every triangle joins the sets of its corners.
+fn count_components(corners: &[u32], vertices: usize, unreferenced: usize) -> usize {
+    let mut parent: Vec<u32> = (0..vertices as u32).collect();
+    let mut components = vertices - unreferenced;
+    for &[a, b, c] in corners.as_chunks::<3>().0 {
+        let first = root(&mut parent, a);
+        for other in [b, c] {
+            let (first, other) = (root(&mut parent, first), root(&mut parent, other));
+            if first != other {
+                parent[first.max(other) as usize] = first.min(other);
+                components -= 1;
             }
         }
     }
     components
+}
+
+/// The root of the set of `v`, with path halving.
+fn root(parent: &mut [u32], mut v: u32) -> u32 {
+    loop {
+        let up = parent[v as usize];
+        if up == v {
+            return v;
+        }
+        parent[v as usize] = parent[up as usize];
+        v = parent[v as usize];
+    }
 }
