@@ -1,1 +1,173 @@
-fn main() {}
+//! Seconds and memory of whole conversions, each in a process of its own, best of three.
+//!
+//! `cargo bench --bench speed` (or `make bench`) uses meshes that it makes itself; the environment
+//! variable `MESHES` names others, separated by white space. If `LEMON` names a program that is called
+//! as `LEMON VARIANT FILE.dual` and prints JSON with `algo_s` (the seconds that LEMON's maximum
+//! matching takes on the dual graph), the least of its variants' seconds is the yardstick L, and times
+//! are given as multiples of it too. A `.dual` file holds 32-bit integers: the number of nodes, the
+//! number of edges, and both ends of each edge.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use serde_json::Value;
+use triquad::mesh::{self, FaceList, Output};
+use triquad::random::Random;
+use triquad::triangulation::Id;
+use triquad::{DualGraph, Triangulation};
+use triquad_generators::{grids, random};
+
+const ROUNDS: usize = 3;
+const ALGORITHMS: [&str; 3] = ["tq", "ps", "sg"];
+const VARIANTS: [&str; 3] = ["lemon_greedydense", "lemon_dense", "lemon_run"];
+
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
+
+fn main() -> Result<()> {
+    let folder = tempfile::tempdir()?;
+    let meshes = match std::env::var("MESHES") {
+        Ok(named) if !named.trim().is_empty() => {
+            named.split_whitespace().map(PathBuf::from).collect()
+        }
+        _ => make_meshes(folder.path())?,
+    };
+    println!(
+        "seconds, best of {ROUNDS}: read, build, (a) pairing, (d) augmentation, (e) = (a) + (d)"
+    );
+    println!(
+        "{:24} {:>9} {:>4} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>6} {:>7} {:>7} {:>7}",
+        "mesh",
+        "triangles",
+        "",
+        "read",
+        "build",
+        "(a)",
+        "(d)",
+        "(e)",
+        "check",
+        "B/tri",
+        "L",
+        "build/L",
+        "(e)/L"
+    );
+    for path in meshes {
+        bench(&path, folder.path())?;
+    }
+    Ok(())
+}
+
+/// An irregular sphere as from a scanner, a regular torus, and a larger torus, as OBJ files.
+fn make_meshes(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut random = Random::stream(0, &["bench"]);
+    let sphere = random::irregular(&grids::sphere(354), 3, &mut |bound| random.below(bound));
+    let surfaces = [
+        ("sphere-irregular", sphere),
+        ("torus-1m", grids::torus(708, 708)),
+        ("torus-4m", grids::torus(1450, 1450)),
+    ];
+    let write = |(name, surface): (&str, triquad_generators::Surface)| -> Result<PathBuf> {
+        let path = folder.join(name).with_extension("obj");
+        let list = FaceList::from_triangles(surface.positions, surface.triangles);
+        Output::create(&path)?.write(&list)?;
+        Ok(path)
+    };
+    surfaces.into_iter().map(write).collect()
+}
+
+/// The least value of each time, and the last of every other number.
+type Best = BTreeMap<String, f64>;
+
+fn bench(path: &Path, folder: &Path) -> Result<()> {
+    let lemon = std::env::var_os("LEMON");
+    let dual = folder.join("mesh.dual");
+    if lemon.is_some() {
+        write_dual(path, &dual)?;
+    }
+    let mut best: BTreeMap<&str, Best> = BTreeMap::new();
+    let mut yardstick = f64::INFINITY;
+    // Interleaved: a slow minute of the machine then hits everything alike.
+    for _ in 0..ROUNDS {
+        for algorithm in ALGORITHMS {
+            keep_best(best.entry(algorithm).or_default(), &convert(path, algorithm)?);
+        }
+        for variant in VARIANTS {
+            if let Some(program) = &lemon {
+                yardstick = yardstick.min(lemon_seconds(Path::new(program), variant, &dual)?);
+            }
+        }
+    }
+    for algorithm in ALGORITHMS {
+        print_row(path, algorithm, &best[algorithm], lemon.is_some().then_some(yardstick));
+    }
+    Ok(())
+}
+
+fn convert(path: &Path, algorithm: &str) -> Result<Value> {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_triquad"));
+    let output = command
+        .arg("convert")
+        .arg(path)
+        .args(["--algorithm", algorithm, "--stats", "-"])
+        .output()?;
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into());
+    }
+    Ok(serde_json::from_slice(&output.stdout)?)
+}
+
+fn keep_best(best: &mut Best, stats: &Value) {
+    let numbers = stats.as_object().into_iter().flatten();
+    for (name, value) in numbers.filter_map(|(name, value)| Some((name, value.as_f64()?))) {
+        let entry = best.entry(name.clone()).or_insert(value);
+        *entry = if name.ends_with("_seconds") { entry.min(value) } else { value };
+    }
+}
+
+fn lemon_seconds(program: &Path, variant: &str, dual: &Path) -> Result<f64> {
+    let output = Command::new(program).arg(variant).arg(dual).output()?;
+    let json: Value = serde_json::from_slice(&output.stdout)?;
+    json["algo_s"].as_f64().ok_or_else(|| "the LEMON program gave no algo_s".into())
+}
+
+fn write_dual(path: &Path, dual: &Path) -> Result<()> {
+    let triangulation = Triangulation::build(&mesh::read(path)?)?;
+    let graph = DualGraph::of(&triangulation);
+    let edges = || {
+        let around = |f| graph.neighbours(f).filter(move |&g| f < g).map(move |g| [f, g]);
+        graph.triangles().flat_map(around)
+    };
+    let mut file = std::io::BufWriter::new(std::fs::File::create(dual)?);
+    for number in [graph.len(), edges().count()].into_iter().chain(edges().flatten().map(Id::index))
+    {
+        file.write_all(&(number as i32).to_le_bytes())?;
+    }
+    Ok(file.flush()?)
+}
+
+fn print_row(path: &Path, algorithm: &str, best: &Best, yardstick: Option<f64>) {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let total = best["pairing_seconds"] + best["augmentation_seconds"];
+    let bytes = best
+        .get("peak_memory_bytes")
+        .map_or("-".into(), |bytes| format!("{:.0}", bytes / best["triangles"]));
+    let in_l = |seconds: f64| yardstick.map_or("-".into(), |l| format!("{:.2}", seconds / l));
+    println!(
+        "{:24.24} {:>9} {:>4} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>6} {:>7} {:>7} {:>7}",
+        name,
+        best["triangles"],
+        algorithm,
+        best["read_seconds"],
+        best["build_seconds"],
+        best["pairing_seconds"],
+        best["augmentation_seconds"],
+        total,
+        best["check_seconds"],
+        bytes,
+        yardstick.map_or("-".into(), |l| format!("{l:.4}")),
+        in_l(best["build_seconds"]),
+        in_l(total),
+    );
+}

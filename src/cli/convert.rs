@@ -120,6 +120,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(status);
     let stats = stats(arguments, &summary, &quads.left_out, read_seconds, write_seconds);
     targets.write_stats(&stats)?;
+    // Not before success: a failure is told in one line.
+    input::tell_left_out(&arguments.input, &quads.left_out);
     targets.report(&summary_line(arguments, &stats))
 }
 
@@ -144,14 +146,7 @@ impl<'a> Targets<'a> {
         };
         let open_stats =
             |path: &PathBuf| AtomicFile::create(path).map_err(|error| stats_failure(path, &error));
-        let both_to_stdout =
-            is_stdio(arguments.output.as_ref()) && is_stdio(arguments.stats.as_ref());
-        if both_to_stdout {
-            return Err(Failure::bad(
-                "-o - and --stats - would mix on standard output; send one of them to a file"
-                    .into(),
-            ));
-        }
+        refuse_shared_files(arguments)?;
         Ok(Self {
             arguments,
             quads: arguments.output.as_ref().map(open_quads).transpose()?,
@@ -195,6 +190,27 @@ impl<'a> Targets<'a> {
             stdio::say(line)
         }
     }
+}
+
+/// Statistics may neither mix with the quads nor replace them or the input.
+fn refuse_shared_files(arguments: &Arguments) -> Result<(), Failure> {
+    let Some(stats) = &arguments.stats else { return Ok(()) };
+    let same = |path: &PathBuf| std::path::absolute(path).ok() == std::path::absolute(stats).ok();
+    if is_stdio(Some(stats)) {
+        return match &arguments.output {
+            Some(output) if output == stats => Err(Failure::bad(
+                "-o - and --stats - would mix on standard output; send one of them to a file"
+                    .into(),
+            )),
+            _ => Ok(()),
+        };
+    }
+    if same(&arguments.input) || arguments.output.as_ref().is_some_and(same) {
+        let problem =
+            "--stats would overwrite the mesh of the same name; give it a file of its own";
+        return Err(Failure::bad(format!("{}: {problem}", stats.display())));
+    }
+    Ok(())
 }
 
 fn is_stdio(path: Option<&PathBuf>) -> bool {

@@ -18,17 +18,17 @@ pub struct Repairs {
     pub triangulate: bool,
 }
 
-/// Reads a mesh; tells on standard error what the file holds and is not carried over.
+/// Reads a mesh.
 pub fn read(path: &Path) -> Result<FaceList, Failure> {
-    let list = mesh::read(path).map_err(|error| mesh_failure(path, &error))?;
-    if !list.left_out.is_empty() {
-        stdio::complain(&format!(
-            "{}: note: not carried over: {}",
-            path.display(),
-            list.left_out.join(", ")
-        ));
+    mesh::read(path).map_err(|error| mesh_failure(path, &error))
+}
+
+/// Tells on standard error what the file held and is not carried over.
+pub fn tell_left_out(path: &Path, left_out: &[String]) {
+    if !left_out.is_empty() {
+        let what = left_out.join(", ");
+        stdio::complain(&format!("{}: note: not carried over: {what}", path.display()));
     }
-    Ok(list)
 }
 
 /// Reads a mesh and makes sure that it is a triangulation of closed surfaces.

@@ -17,6 +17,9 @@ pub(super) fn read(input: &mut dyn Read) -> Result<FaceList, MeshError> {
     let mut blocks = Blocks::default();
     while let Some(block) = blocks.next(input)? {
         let mut cursor = Cursor { rest: block.text };
+        if block.lines_before == 0 {
+            cursor.skip_byte_order_mark();
+        }
         while !cursor.rest.is_empty() {
             if let Err(fault) = parser.line(&mut cursor) {
                 return Err(fault.at(block.line_at(block.text.len() - cursor.rest.len())));
@@ -158,11 +161,11 @@ impl Parser {
     fn line(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         cursor.skip_blanks();
         match cursor.rest {
-            [b'v', b' ' | b'\t', rest @ ..] => {
+            [b'v', rest @ ..] if ends_word(rest) => {
                 cursor.rest = rest;
                 self.vertex(cursor)
             }
-            [b'f', b' ' | b'\t', rest @ ..] => {
+            [b'f', rest @ ..] if ends_word(rest) => {
                 cursor.rest = rest;
                 self.face(cursor)
             }
@@ -293,12 +296,22 @@ fn resolve(index: i64, count: usize, kind: &str) -> Result<u32, Fault> {
     }
 }
 
+/// Whether no more letters follow: the keyword before `rest` is whole.
+fn ends_word(rest: &[u8]) -> bool {
+    matches!(rest, [] | [b' ' | b'\t' | b'\r' | b'\n', ..])
+}
+
 /// What is left of the text.
 struct Cursor<'t> {
     rest: &'t [u8],
 }
 
 impl<'t> Cursor<'t> {
+    /// Some programs begin a UTF-8 text so; left there, it would hide the first keyword.
+    fn skip_byte_order_mark(&mut self) {
+        self.rest = self.rest.strip_prefix(b"\xef\xbb\xbf").unwrap_or(self.rest);
+    }
+
     #[inline]
     fn skip_blanks(&mut self) {
         while let [b' ' | b'\t' | b'\r', rest @ ..] = self.rest {

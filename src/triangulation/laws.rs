@@ -79,7 +79,7 @@ impl Law {
             Self::NotTooLarge => "split the mesh into components and convert them one by one",
             Self::IndexInRange => "correct the face or export the mesh again",
             Self::FiniteCoordinate => "correct the vertex or export the mesh again",
-            Self::Triangle => "--triangulate cuts faces of four or more corners into triangles",
+            Self::Triangle => "--triangulate cuts larger faces into triangles; remove smaller ones",
             Self::DistinctCorners => "remove degenerate faces",
             Self::DistinctFaces => "remove duplicate faces",
             Self::AtMostTwoFaces => {
