@@ -24,7 +24,7 @@ pub fn triquad(graph: &DualGraph) -> Matching {
             greedy.pair(f, g);
             continue;
         }
-        greedy.finish(f);
+        greedy.leave_alone(f);
         if let Some(end) = rescue.pair(&mut greedy.matching, f, SEARCH_LIMIT)
             && !greedy.is_done(end)
         {
