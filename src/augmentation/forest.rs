@@ -16,7 +16,7 @@ use crate::triangulation::{Id, TriangleId};
 pub(super) enum Place {
     /// In no tree.
     Free,
-    /// In the tree of this number, reached only at odd distance from the root.
+    /// In the tree of this number, reached only at odd distance from the root; or the tree is fenced.
     Inner(TreeId),
     /// In the tree of this number, and reached by a path of even length.
     Outer(TreeId),
@@ -100,9 +100,18 @@ impl List {
     }
 }
 
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Fate {
+    Standing,
+    /// Its root is paired, but its triangles are not to be taken by other trees.
+    Fenced,
+    /// Its triangles are free.
+    Felled,
+}
+
 struct Tree {
     root: u32,
-    standing: bool,
+    fate: Fate,
     /// Outer triangles still to be scanned.
     queue: List,
     /// Outer triangles beside an inner one of another tree, to be scanned again later.
@@ -130,7 +139,7 @@ impl<'g> Forest<'g> {
     }
 
     fn no_tree() -> Tree {
-        Tree { root: END, standing: false, queue: List::EMPTY, barred: List::EMPTY }
+        Tree { root: END, fate: Fate::Felled, queue: List::EMPTY, barred: List::EMPTY }
     }
 
     /// Forgets everything but the count of visits. Θ(n).
@@ -148,11 +157,9 @@ impl<'g> Forest<'g> {
     #[inline]
     pub(super) fn place(&self, f: TriangleId) -> Place {
         let node = &self.nodes[f.index()];
-        if !self.trees[node.tree as usize].standing {
-            return Place::Free;
-        }
-        match node.label_and_mark & LABEL {
-            INNER => Place::Inner(TreeId(node.tree)),
+        match (self.trees[node.tree as usize].fate, node.label_and_mark & LABEL) {
+            (Fate::Felled, _) => Place::Free,
+            (Fate::Fenced, _) | (_, INNER) => Place::Inner(TreeId(node.tree)),
             _ => Place::Outer(TreeId(node.tree)),
         }
     }
@@ -166,7 +173,7 @@ impl<'g> Forest<'g> {
             Node { tree, base: root.0, label_and_mark: OUTER, ..Node::default() };
         let mut queue = List::EMPTY;
         queue.push(&mut self.nodes, root.0);
-        self.trees.push(Tree { root: root.0, standing: true, queue, barred: List::EMPTY });
+        self.trees.push(Tree { root: root.0, fate: Fate::Standing, queue, barred: List::EMPTY });
         TreeId(tree)
     }
 
@@ -212,12 +219,17 @@ impl<'g> Forest<'g> {
 
     /// Forgets `tree`: its triangles are free again. O(1).
     pub(super) fn fell(&mut self, tree: TreeId) {
-        self.trees[tree.0 as usize].standing = false;
+        self.trees[tree.0 as usize].fate = Fate::Felled;
     }
 
-    /// Whether `tree` has not been felled.
+    /// Ends the growth of `tree`, but keeps its triangles from other trees. O(1).
+    pub(super) fn fence(&mut self, tree: TreeId) {
+        self.trees[tree.0 as usize].fate = Fate::Fenced;
+    }
+
+    /// Whether `tree` has been neither felled nor fenced.
     pub(super) fn stands(&self, tree: TreeId) -> bool {
-        self.trees[tree.0 as usize].standing
+        self.trees[tree.0 as usize].fate == Fate::Standing
     }
 
     /// The base of the outermost blossom around `f`, or `f` itself.
