@@ -28,10 +28,10 @@ impl Random {
     /// If `bound` is 0.
     pub fn below(&mut self, bound: u32) -> u32 {
         assert!(bound > 0, "nothing lies below 0");
-        let threshold = bound.wrapping_neg() % bound;
         loop {
             let wide = u64::from(self.0.next_u32()) * u64::from(bound);
-            if wide as u32 >= threshold {
+            // The threshold is below the bound, and a division: rarely worth computing.
+            if wide as u32 >= bound || wide as u32 >= bound.wrapping_neg() % bound {
                 return (wide >> 32) as u32;
             }
         }

@@ -41,7 +41,7 @@ enum Priority {
 
 /// A triangle's priority and, below it, how long it has had that: the greatest rank goes first.
 ///
-/// Time counts pairs made. There are fewer than 2^29, as there are at most 2^31 half-edges.
+/// Time is a number below 2^29.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 struct Rank(u32);
 
@@ -67,8 +67,10 @@ impl Rank {
 /// neighbour across a free edge; ties as explained above.
 ///
 /// From set 0, which is drawn on once for each component, triangles are taken at random if `random`
-/// is given, else in their order. Θ(n) time: a triangle changes its set at most three times. 8 bytes
-/// a triangle, and queues as long as the edge of the paired region.
+/// is given, else in their order; `random` also chooses which side of a triangle counts as its first.
+///
+/// Θ(n) time: a triangle changes its set at most three times. 8 bytes a triangle, and queues as long
+/// as the edge of the paired region.
 pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
     let mut greedy = Greedy::new(graph, random);
     while let Some(f) = greedy.next() {
@@ -80,6 +82,25 @@ pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
     greedy.matching
 }
 
+/// Counts entries into sets, at most three for each triangle; on meshes of more than 180 million
+/// triangles several in one step, so that the count stays below 2^29.
+struct Time {
+    entries: u32,
+    step_bits: u32,
+}
+
+impl Time {
+    fn new(triangles: usize) -> Self {
+        let bits = (3 * triangles as u64).checked_ilog2().map_or(0, |log| log + 1);
+        Self { entries: 0, step_bits: bits.saturating_sub(Rank::AGE_BITS) }
+    }
+
+    fn tick(&mut self) -> u32 {
+        self.entries += 1;
+        self.entries >> self.step_bits
+    }
+}
+
 /// The pairing so far, and the sets 3, 2 and 1 as queues.
 pub(super) struct Greedy<'g> {
     graph: &'g DualGraph,
@@ -87,26 +108,30 @@ pub(super) struct Greedy<'g> {
     ranks: Ranks,
     /// Triangles that are not done.
     left: usize,
-    /// Pairs made.
-    time: u32,
+    time: Time,
     /// By priority; those of sets 1, 2 and 3 are used.
     queues: [VecDeque<TriangleId>; 5],
     /// Whether a triangle has been left alone.
     irregular: bool,
-    lowest: LowestSet<'g>,
+    lowest: LowestSet,
+    /// Where the sides of a triangle begin.
+    first_side: usize,
+    random: Option<&'g mut Random>,
 }
 
 impl<'g> Greedy<'g> {
-    pub(super) fn new(graph: &'g DualGraph, random: Option<&'g mut Random>) -> Self {
+    pub(super) fn new(graph: &'g DualGraph, mut random: Option<&'g mut Random>) -> Self {
         let mut greedy = Self {
             graph,
             matching: Matching::empty(graph.len()),
             ranks: Ranks::new(graph.len()),
             left: graph.len(),
-            time: 0,
+            time: Time::new(graph.len()),
             queues: Default::default(),
             irregular: false,
-            lowest: LowestSet::new(random),
+            lowest: LowestSet::default(),
+            first_side: random.as_deref_mut().map_or(0, |random| random.below(3) as usize),
+            random,
         };
         if graph.has_boundary() {
             graph.triangles().for_each(|f| greedy.relocate(f));
@@ -119,7 +144,7 @@ impl<'g> Greedy<'g> {
         if self.left == 0 {
             return None;
         }
-        let next = self.pop().or_else(|| self.lowest.pop(&self.ranks));
+        let next = self.pop().or_else(|| self.lowest.pop(&self.ranks, self.random.as_deref_mut()));
         debug_assert!(next.is_some(), "a triangle that is not done is in a set");
         next
     }
@@ -142,17 +167,22 @@ impl<'g> Greedy<'g> {
         if newest { queue.pop_back() } else { queue.pop_front() }
     }
 
-    /// The neighbour of highest priority, the oldest of several, across a free edge.
+    /// The neighbour of highest priority, the oldest of several, across a free edge; of equally old
+    /// ones the one across the earliest side.
     pub(super) fn best_neighbour(&self, f: TriangleId) -> Option<TriangleId> {
-        let ranked = self.graph.sides(f).map(|g| (self.ranks.of(g), g));
-        let (rank, g) =
-            ranked.into_iter().reduce(|best, next| if next.0 > best.0 { next } else { best })?;
-        (rank.priority() != Priority::Done).then_some(g)
+        let sides = self.graph.sides(f);
+        let mut best = sides[self.first_side];
+        for side in [self.first_side + 1, self.first_side + 2] {
+            let g = sides[side % 3];
+            if self.ranks.of(g) > self.ranks.of(best) {
+                best = g;
+            }
+        }
+        (self.ranks.priority(best) != Priority::Done).then_some(best)
     }
 
     pub(super) fn pair(&mut self, f: TriangleId, g: TriangleId) {
         self.matching.pair(f, g);
-        self.time += 1;
         self.finish(f);
         self.finish(g);
         self.lock_edges(f);
@@ -206,7 +236,7 @@ impl<'g> Greedy<'g> {
     }
 
     fn enter(&mut self, f: TriangleId, set: Priority) {
-        self.ranks.set(f, Rank::new(set, self.time));
+        self.ranks.set(f, Rank::new(set, self.time.tick()));
         self.queues[set as usize].push_back(f);
     }
 }
@@ -255,50 +285,45 @@ impl Ranks {
 }
 
 /// Set 0: all triangles at first. Triangles that have left it are passed over.
-struct LowestSet<'r> {
-    random: Option<&'r mut Random>,
+#[derive(Default)]
+struct LowestSet {
     /// Every triangle of set 0 from `taken` on, once there have been enough unlucky draws.
     listed: Option<Vec<TriangleId>>,
     taken: usize,
 }
 
-impl<'r> LowestSet<'r> {
-    fn new(random: Option<&'r mut Random>) -> Self {
-        Self { random, listed: None, taken: 0 }
-    }
-
-    fn pop(&mut self, ranks: &Ranks) -> Option<TriangleId> {
+impl LowestSet {
+    /// Takes a triangle of the set: a random one, or else the first.
+    fn pop(&mut self, ranks: &Ranks, mut random: Option<&mut Random>) -> Option<TriangleId> {
         if self.listed.is_none() {
-            if let Some(f) = self.draw(ranks) {
+            if let Some(f) = random.as_deref_mut().and_then(|random| draw(ranks, random)) {
                 return Some(f);
             }
-            self.list(ranks);
+            self.list(ranks, random);
         }
-        let listed = self.listed.as_deref().unwrap_or_default();
-        let waiting = listed[self.taken..].iter();
-        let found = waiting.clone().position(|&f| ranks.priority(f) == Priority::ThreeFree)?;
+        let waiting = &self.listed.as_deref().unwrap_or_default()[self.taken..];
+        let found = waiting.iter().position(|&f| ranks.priority(f) == Priority::ThreeFree)?;
         self.taken += found + 1;
-        Some(listed[self.taken - 1])
-    }
-
-    /// A triangle of set 0 drawn at random from all triangles, if luck will have it.
-    fn draw(&mut self, ranks: &Ranks) -> Option<TriangleId> {
-        const DRAWS: usize = 16;
-        let random = self.random.as_deref_mut()?;
-        let mut draws = (0..DRAWS).map(|_| TriangleId(random.below(ranks.triangles() as u32)));
-        draws.find(|&f| ranks.priority(f) == Priority::ThreeFree)
+        Some(waiting[found])
     }
 
     /// Lists what is left of the set, in random order if there is to be any randomness.
-    fn list(&mut self, ranks: &Ranks) {
+    fn list(&mut self, ranks: &Ranks, random: Option<&mut Random>) {
         let all = (0..ranks.triangles()).map(TriangleId::new);
         let mut left: Vec<TriangleId> =
             all.filter(|&f| ranks.priority(f) == Priority::ThreeFree).collect();
-        if let Some(random) = self.random.as_deref_mut() {
+        if let Some(random) = random {
             random.shuffle(&mut left);
         }
         self.listed = Some(left);
     }
+}
+
+/// A triangle of set 0 drawn at random from all triangles, if luck will have it.
+fn draw(ranks: &Ranks, random: &mut Random) -> Option<TriangleId> {
+    const DRAWS: usize = 16;
+    let mut draws = (0..DRAWS).map(|_| TriangleId(random.below(ranks.triangles() as u32)));
+    draws.find(|&f| ranks.priority(f) == Priority::ThreeFree)
 }
 
 #[cfg(test)]
