@@ -231,7 +231,7 @@ fn long_ladders_need_long_paths() {
                     shifted.pair(
                         TriangleId::new((rail + i) as usize),
                         TriangleId::new((rail + i + 1) as usize),
-                    )
+                    );
                 });
             }
             for augmentation in Augmentation::ALL {
@@ -249,7 +249,9 @@ fn a_path_through_a_blossom_and_back() {
     let edges = vec![(0, 1), (1, 2), (2, 3), (3, 4), (4, 5), (5, 6), (6, 2), (3, 7)];
     let graph = DualGraph::from_edges(8, &edges).unwrap();
     let mut start = Matching::empty(8);
-    [(1, 2), (3, 4), (5, 6)].map(|(a, b)| start.pair(TriangleId::new(a), TriangleId::new(b)));
+    for (a, b) in [(1, 2), (3, 4), (5, 6)] {
+        start.pair(TriangleId::new(a), TriangleId::new(b));
+    }
     for augmentation in Augmentation::ALL {
         let (matching, stats) = make_maximum(&graph, start.clone(), augmentation, &mut || {});
         assert_eq!(

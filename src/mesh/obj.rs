@@ -4,9 +4,17 @@
 //! objects, groups, smoothing groups and materials as the lines they are. Everything else is skipped.
 //! Four million triangles take a fraction of a second: this is what users wait for.
 
-use std::io::{self, Read, Write};
+mod blocks;
+mod cursor;
+mod write;
 
-use super::{Attributes, FaceList, Lines, MeshError, NO_INDEX, Place, Section};
+use std::io::Read;
+
+use blocks::Blocks;
+use cursor::{Cursor, Fault};
+pub(super) use write::write;
+
+use super::{Attributes, FaceList, MeshError, NO_INDEX, Place, Section};
 
 /// Reads an OBJ file, a block at a time: the text is never held as a whole.
 ///
@@ -28,125 +36,6 @@ pub(super) fn read(input: &mut dyn Read) -> Result<FaceList, MeshError> {
         }
     }
     parser.finish()
-}
-
-/// Number of bytes asked for at a time.
-const BLOCK: usize = 1 << 20;
-
-/// The text in blocks of whole lines, continued ones joined.
-#[derive(Default)]
-struct Blocks {
-    buffer: Vec<u8>,
-    /// Length of the last block given out, at the front of `buffer`.
-    given: usize,
-    lines_given: usize,
-    /// Where in the block line breaks have been replaced to join lines.
-    joined: Vec<usize>,
-}
-
-/// Some whole lines.
-struct Block<'b> {
-    text: &'b [u8],
-    lines_before: usize,
-    joined: &'b [usize],
-}
-
-impl Block<'_> {
-    /// The number in the file of the line at `position`.
-    fn line_at(&self, position: usize) -> usize {
-        let breaks = memchr::memchr_iter(b'\n', &self.text[..position]).count();
-        let joined = self.joined.iter().filter(|&&at| at < position).count();
-        self.lines_before + breaks + joined + 1
-    }
-}
-
-impl Blocks {
-    fn next(&mut self, input: &mut dyn Read) -> Result<Option<Block<'_>>, MeshError> {
-        self.drop_given();
-        let mut end;
-        loop {
-            let before = self.buffer.len();
-            input.take(BLOCK as u64).read_to_end(&mut self.buffer)?;
-            let at_end = self.buffer.len() == before;
-            end = if at_end { self.buffer.len() } else { end_of_whole_lines(&self.buffer) };
-            if end > 0 || at_end {
-                break;
-            }
-        }
-        self.given = end;
-        self.join_continued_lines();
-        let text = &self.buffer[..end];
-        let block = Block { text, lines_before: self.lines_given, joined: &self.joined };
-        Ok((end > 0).then_some(block))
-    }
-
-    fn drop_given(&mut self) {
-        let given = &self.buffer[..self.given];
-        self.lines_given += memchr::memchr_iter(b'\n', given).count() + self.joined.len();
-        self.joined.clear();
-        self.buffer.drain(..self.given);
-    }
-
-    /// Replaces each backslash at the end of a line, and the line break, by as many spaces.
-    fn join_continued_lines(&mut self) {
-        let mut from = 0;
-        while let Some(found) = memchr::memchr(b'\\', &self.buffer[from..self.given]) {
-            let slash = from + found;
-            let length = match self.buffer[slash + 1..self.given] {
-                [b'\n', ..] => 2,
-                [b'\r', b'\n', ..] => 3,
-                _ => 0,
-            };
-            if length > 0 {
-                self.buffer[slash..slash + length].fill(b' ');
-                self.joined.push(slash + length - 1);
-            }
-            from = slash + 1;
-        }
-    }
-}
-
-/// Where the last line ends that is whole and not continued; 0 if none does.
-fn end_of_whole_lines(text: &[u8]) -> usize {
-    let mut end = text.len();
-    while let Some(at) = memchr::memrchr(b'\n', &text[..end]) {
-        match text[..at] {
-            [.., b'\\'] | [.., b'\\', b'\r'] => end = at,
-            _ => return at + 1,
-        }
-    }
-    0
-}
-
-/// What is wrong with a line. Boxed, so that results fit in registers where nothing is wrong.
-struct Fault(Box<Problem>);
-
-enum Problem {
-    Malformed(String),
-    TooLarge,
-}
-
-impl Fault {
-    fn at(self, line: usize) -> MeshError {
-        match *self.0 {
-            Problem::Malformed(problem) => MeshError::malformed(Place::Line(line), problem),
-            Problem::TooLarge => MeshError::TooLarge,
-        }
-    }
-}
-
-impl From<String> for Fault {
-    #[cold]
-    fn from(problem: String) -> Self {
-        Self(Box::new(Problem::Malformed(problem)))
-    }
-}
-
-impl From<&str> for Fault {
-    #[cold]
-    fn from(problem: &str) -> Self {
-        problem.to_owned().into()
-    }
 }
 
 #[derive(Default)]
@@ -205,7 +94,7 @@ impl Parser {
             arity += 1;
         }
         if self.list.faces.corners().len() > crate::triangulation::MAX_HALF_EDGES {
-            return Err(Fault(Box::new(Problem::TooLarge)));
+            return Err(Fault::too_large());
         }
         self.list.faces.close_face(arity);
         Ok(())
@@ -301,222 +190,10 @@ fn ends_word(rest: &[u8]) -> bool {
     matches!(rest, [] | [b' ' | b'\t' | b'\r' | b'\n', ..])
 }
 
-/// What is left of the text.
-struct Cursor<'t> {
-    rest: &'t [u8],
-}
-
-impl<'t> Cursor<'t> {
-    /// Some programs begin a UTF-8 text so; left there, it would hide the first keyword.
-    fn skip_byte_order_mark(&mut self) {
-        self.rest = self.rest.strip_prefix(b"\xef\xbb\xbf").unwrap_or(self.rest);
-    }
-
-    #[inline]
-    fn skip_blanks(&mut self) {
-        while let [b' ' | b'\t' | b'\r', rest @ ..] = self.rest {
-            self.rest = rest;
-        }
-    }
-
-    /// Whether only a comment is left of the line, or nothing.
-    #[inline]
-    fn at_end(&self) -> bool {
-        matches!(self.rest, [] | [b'\n' | b'#', ..])
-    }
-
-    /// What is left of the line.
-    fn line(&self) -> &'t [u8] {
-        &self.rest[..memchr::memchr(b'\n', self.rest).unwrap_or(self.rest.len())]
-    }
-
-    #[inline]
-    fn skip_line(&mut self) {
-        self.rest = match self.rest {
-            [b'\n', rest @ ..] => rest,
-            rest => rest.get(self.line().len() + 1..).unwrap_or_default(),
-        };
-    }
-
-    #[inline]
-    fn take(&mut self, byte: u8) -> bool {
-        let found = self.rest.first() == Some(&byte);
-        if found {
-            self.rest = &self.rest[1..];
-        }
-        found
-    }
-
-    #[inline]
-    fn end_of_word(&self) -> Result<(), Fault> {
-        match self.rest {
-            [] | [b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => Ok(()),
-            _ => Err(format!("unexpected '{}' in a face", word(self.rest)).into()),
-        }
-    }
-
-    #[inline]
-    fn number(&mut self) -> Result<f64, Fault> {
-        self.skip_blanks();
-        if self.at_end() {
-            return Err("a vertex needs three coordinates".into());
-        }
-        let (value, length) = fast_float2::parse_partial(self.rest)
-            .map_err(|_| Fault::from(format!("'{}' is not a number", word(self.rest))))?;
-        match self.rest[length..] {
-            [] | [b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => {
-                self.rest = &self.rest[length..];
-                Ok(value)
-            }
-            _ => Err(format!("'{}' is not a number", word(self.rest)).into()),
-        }
-    }
-
-    /// A whole number of at most ten digits, with or without a sign.
-    #[inline]
-    fn integer(&mut self) -> Result<i64, Fault> {
-        let start = self.rest;
-        let negative = self.take(b'-');
-        let (mut value, mut digits) = leading_digits(self.rest);
-        self.rest = &self.rest[digits..];
-        while let [digit @ b'0'..=b'9', rest @ ..] = self.rest
-            && digits < 11
-        {
-            value = value * 10 + i64::from(digit - b'0');
-            digits += 1;
-            self.rest = rest;
-        }
-        match digits {
-            1..=10 => Ok(if negative { -value } else { value }),
-            _ => Err(format!("'{}' is not an index", word(start)).into()),
-        }
-    }
-}
-
-/// The value and number of the digits among the first eight bytes up to the first other one, all
-/// eight at once; none if there are fewer than eight bytes.
-#[inline]
-fn leading_digits(text: &[u8]) -> (i64, usize) {
-    let Some(&bytes) = text.first_chunk::<8>() else { return (0, 0) };
-    // Digits become 0 to 9; of any other byte the top bit is set in `others`.
-    let word = u64::from_le_bytes(bytes) ^ 0x3030_3030_3030_3030;
-    let others =
-        (word | (word & 0x7f7f_7f7f_7f7f_7f7f) + 0x7676_7676_7676_7676) & 0x8080_8080_8080_8080;
-    let digits = others.trailing_zeros() as usize / 8;
-    if digits == 0 {
-        return (0, 0);
-    }
-    // As if zeros stood in front; then neighbouring digits are joined, pairs, and fours.
-    let ones = word << (64 - 8 * digits);
-    let pairs = (ones.wrapping_mul(10) + (ones >> 8)) & 0x00ff_00ff_00ff_00ff;
-    let fours = (pairs.wrapping_mul(100) + (pairs >> 16)) & 0x0000_ffff_0000_ffff;
-    ((fours.wrapping_mul(10_000) + (fours >> 32)) as u32 as i64, digits)
-}
-
-/// The first word of `text`, shortened, for messages.
-fn word(text: &[u8]) -> String {
-    let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
-    String::from_utf8_lossy(&text[..end.min(40)]).into_owned()
-}
-
-/// Writes an OBJ file, attributes included; `out` should be buffered.
-///
-/// # Errors
-/// Those of `out`.
-pub(super) fn write(out: &mut dyn Write, mesh: &FaceList) -> io::Result<()> {
-    let mut text = Text { out, buffer: Vec::with_capacity(FLUSH_AT + 1024) };
-    let none = Attributes::default();
-    let attributes = mesh.attributes.as_deref().unwrap_or(&none);
-    for library in &attributes.libraries {
-        text.line(&[], library.as_bytes())?;
-    }
-    for position in &mesh.positions {
-        text.vertex(position)?;
-    }
-    for (keyword, lines) in [("vt ", &attributes.texture_coordinates), ("vn ", &attributes.normals)]
-    {
-        write_lines(&mut text, keyword, lines)?;
-    }
-    let mut sections = attributes.sections.iter().peekable();
-    for face in 0..mesh.faces.len() {
-        while let Some(section) = sections.next_if(|section| section.first_face <= face) {
-            text.line(&[], section.line.as_bytes())?;
-        }
-        text.face(mesh, attributes, face)?;
-    }
-    text.flush()
-}
-
-fn write_lines(text: &mut Text<'_>, keyword: &str, lines: &Lines) -> io::Result<()> {
-    lines.iter().try_for_each(|line| text.line(keyword.as_bytes(), line))
-}
-
-const FLUSH_AT: usize = 1 << 15;
-
-/// Text on its way out, handed over in large pieces.
-struct Text<'o> {
-    out: &'o mut dyn Write,
-    buffer: Vec<u8>,
-}
-
-impl Text<'_> {
-    fn vertex(&mut self, position: &[f64; 3]) -> io::Result<()> {
-        self.buffer.push(b'v');
-        for &coordinate in position {
-            self.buffer.push(b' ');
-            self.buffer.extend_from_slice(zmij::Buffer::new().format(coordinate).as_bytes());
-        }
-        self.end_line()
-    }
-
-    fn face(&mut self, mesh: &FaceList, attributes: &Attributes, face: usize) -> io::Result<()> {
-        self.buffer.push(b'f');
-        for corner in mesh.faces.range(face) {
-            self.buffer.push(b' ');
-            self.index(mesh.faces.corners()[corner]);
-            let given = |indices: &Vec<u32>| {
-                indices.get(corner).copied().filter(|&index| index != NO_INDEX)
-            };
-            match (given(&attributes.corner_texture), given(&attributes.corner_normal)) {
-                (None, None) => {}
-                (texture, normal) => {
-                    self.buffer.push(b'/');
-                    texture.into_iter().for_each(|index| self.index(index));
-                    if let Some(index) = normal {
-                        self.buffer.push(b'/');
-                        self.index(index);
-                    }
-                }
-            }
-        }
-        self.end_line()
-    }
-
-    fn index(&mut self, from_zero: u32) {
-        let from_one = u64::from(from_zero) + 1;
-        self.buffer.extend_from_slice(itoa::Buffer::new().format(from_one).as_bytes());
-    }
-
-    fn line(&mut self, keyword: &[u8], text: &[u8]) -> io::Result<()> {
-        self.buffer.extend_from_slice(keyword);
-        self.buffer.extend_from_slice(text);
-        self.end_line()
-    }
-
-    fn end_line(&mut self) -> io::Result<()> {
-        self.buffer.push(b'\n');
-        if self.buffer.len() >= FLUSH_AT { self.flush() } else { Ok(()) }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.out.write_all(&self.buffer)?;
-        self.buffer.clear();
-        Ok(())
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::blocks::BLOCK;
+    use super::cursor::leading_digits;
     use super::*;
 
     fn read(text: &[u8]) -> Result<FaceList, MeshError> {

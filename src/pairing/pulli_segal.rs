@@ -49,7 +49,7 @@ impl Rank {
     const AGE_BITS: u32 = 29;
 
     fn new(priority: Priority, entered: u32) -> Self {
-        Self((priority as u32 + 1 << Self::AGE_BITS) - 1 - entered)
+        Self(((priority as u32 + 1) << Self::AGE_BITS) - 1 - entered)
     }
 
     fn priority(self) -> Priority {

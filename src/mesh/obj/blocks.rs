@@ -1,0 +1,93 @@
+//! Text read in blocks of whole lines.
+
+use std::io::Read;
+
+use crate::mesh::MeshError;
+
+/// Number of bytes asked for at a time.
+pub(super) const BLOCK: usize = 1 << 20;
+
+/// The text in blocks of whole lines, continued ones joined.
+#[derive(Default)]
+pub(super) struct Blocks {
+    buffer: Vec<u8>,
+    /// Length of the last block given out, at the front of `buffer`.
+    given: usize,
+    lines_given: usize,
+    /// Where in the block line breaks have been replaced to join lines.
+    joined: Vec<usize>,
+}
+
+/// Some whole lines.
+pub(super) struct Block<'b> {
+    pub(super) text: &'b [u8],
+    pub(super) lines_before: usize,
+    joined: &'b [usize],
+}
+
+impl Block<'_> {
+    /// The number in the file of the line at `position`.
+    pub(super) fn line_at(&self, position: usize) -> usize {
+        let breaks = memchr::memchr_iter(b'\n', &self.text[..position]).count();
+        let joined = self.joined.iter().filter(|&&at| at < position).count();
+        self.lines_before + breaks + joined + 1
+    }
+}
+
+impl Blocks {
+    pub(super) fn next(&mut self, input: &mut dyn Read) -> Result<Option<Block<'_>>, MeshError> {
+        self.drop_given();
+        let mut end;
+        loop {
+            let before = self.buffer.len();
+            input.take(BLOCK as u64).read_to_end(&mut self.buffer)?;
+            let at_end = self.buffer.len() == before;
+            end = if at_end { self.buffer.len() } else { end_of_whole_lines(&self.buffer) };
+            if end > 0 || at_end {
+                break;
+            }
+        }
+        self.given = end;
+        self.join_continued_lines();
+        let text = &self.buffer[..end];
+        let block = Block { text, lines_before: self.lines_given, joined: &self.joined };
+        Ok((end > 0).then_some(block))
+    }
+
+    fn drop_given(&mut self) {
+        let given = &self.buffer[..self.given];
+        self.lines_given += memchr::memchr_iter(b'\n', given).count() + self.joined.len();
+        self.joined.clear();
+        self.buffer.drain(..self.given);
+    }
+
+    /// Replaces each backslash at the end of a line, and the line break, by as many spaces.
+    fn join_continued_lines(&mut self) {
+        let mut from = 0;
+        while let Some(found) = memchr::memchr(b'\\', &self.buffer[from..self.given]) {
+            let slash = from + found;
+            let length = match self.buffer[slash + 1..self.given] {
+                [b'\n', ..] => 2,
+                [b'\r', b'\n', ..] => 3,
+                _ => 0,
+            };
+            if length > 0 {
+                self.buffer[slash..slash + length].fill(b' ');
+                self.joined.push(slash + length - 1);
+            }
+            from = slash + 1;
+        }
+    }
+}
+
+/// Where the last line ends that is whole and not continued; 0 if none does.
+fn end_of_whole_lines(text: &[u8]) -> usize {
+    let mut end = text.len();
+    while let Some(at) = memchr::memrchr(b'\n', &text[..end]) {
+        match text[..at] {
+            [.., b'\\'] | [.., b'\\', b'\r'] => end = at,
+            _ => return at + 1,
+        }
+    }
+    0
+}

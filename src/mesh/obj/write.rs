@@ -1,0 +1,101 @@
+//! Writing OBJ.
+
+use std::io::{self, Write};
+
+use crate::mesh::{Attributes, FaceList, Lines, NO_INDEX};
+
+/// Writes an OBJ file, attributes included; `out` should be buffered.
+///
+/// # Errors
+/// Those of `out`.
+pub(in crate::mesh) fn write(out: &mut dyn Write, mesh: &FaceList) -> io::Result<()> {
+    let mut text = Text { out, buffer: Vec::with_capacity(FLUSH_AT + 1024) };
+    let none = Attributes::default();
+    let attributes = mesh.attributes.as_deref().unwrap_or(&none);
+    for library in &attributes.libraries {
+        text.line(&[], library.as_bytes())?;
+    }
+    for position in &mesh.positions {
+        text.vertex(position)?;
+    }
+    for (keyword, lines) in [("vt ", &attributes.texture_coordinates), ("vn ", &attributes.normals)]
+    {
+        write_lines(&mut text, keyword, lines)?;
+    }
+    let mut sections = attributes.sections.iter().peekable();
+    for face in 0..mesh.faces.len() {
+        while let Some(section) = sections.next_if(|section| section.first_face <= face) {
+            text.line(&[], section.line.as_bytes())?;
+        }
+        text.face(mesh, attributes, face)?;
+    }
+    text.flush()
+}
+
+fn write_lines(text: &mut Text<'_>, keyword: &str, lines: &Lines) -> io::Result<()> {
+    lines.iter().try_for_each(|line| text.line(keyword.as_bytes(), line))
+}
+
+const FLUSH_AT: usize = 1 << 15;
+
+/// Text on its way out, handed over in large pieces.
+struct Text<'o> {
+    out: &'o mut dyn Write,
+    buffer: Vec<u8>,
+}
+
+impl Text<'_> {
+    fn vertex(&mut self, position: &[f64; 3]) -> io::Result<()> {
+        self.buffer.push(b'v');
+        for &coordinate in position {
+            self.buffer.push(b' ');
+            self.buffer.extend_from_slice(zmij::Buffer::new().format(coordinate).as_bytes());
+        }
+        self.end_line()
+    }
+
+    fn face(&mut self, mesh: &FaceList, attributes: &Attributes, face: usize) -> io::Result<()> {
+        self.buffer.push(b'f');
+        for corner in mesh.faces.range(face) {
+            self.buffer.push(b' ');
+            self.index(mesh.faces.corners()[corner]);
+            let given = |indices: &Vec<u32>| {
+                indices.get(corner).copied().filter(|&index| index != NO_INDEX)
+            };
+            match (given(&attributes.corner_texture), given(&attributes.corner_normal)) {
+                (None, None) => {}
+                (texture, normal) => {
+                    self.buffer.push(b'/');
+                    texture.into_iter().for_each(|index| self.index(index));
+                    if let Some(index) = normal {
+                        self.buffer.push(b'/');
+                        self.index(index);
+                    }
+                }
+            }
+        }
+        self.end_line()
+    }
+
+    fn index(&mut self, from_zero: u32) {
+        let from_one = u64::from(from_zero) + 1;
+        self.buffer.extend_from_slice(itoa::Buffer::new().format(from_one).as_bytes());
+    }
+
+    fn line(&mut self, keyword: &[u8], text: &[u8]) -> io::Result<()> {
+        self.buffer.extend_from_slice(keyword);
+        self.buffer.extend_from_slice(text);
+        self.end_line()
+    }
+
+    fn end_line(&mut self) -> io::Result<()> {
+        self.buffer.push(b'\n');
+        if self.buffer.len() >= FLUSH_AT { self.flush() } else { Ok(()) }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.write_all(&self.buffer)?;
+        self.buffer.clear();
+        Ok(())
+    }
+}

@@ -1,0 +1,205 @@
+//! The header of a PLY file: the encoding, and which records follow.
+
+use crate::mesh::error::MeshError;
+use crate::mesh::tokens::{self, Tokens};
+
+#[derive(Clone, Copy)]
+pub(super) enum Encoding {
+    Ascii,
+    Little,
+    Big,
+}
+
+impl Encoding {
+    fn named(word: &[u8]) -> Option<Self> {
+        match word {
+            b"ascii" => Some(Self::Ascii),
+            b"binary_little_endian" => Some(Self::Little),
+            b"binary_big_endian" => Some(Self::Big),
+            _ => None,
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+pub(super) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    fn named(word: &[u8]) -> Option<Self> {
+        match word {
+            b"char" | b"int8" => Some(Self::I8),
+            b"uchar" | b"uint8" => Some(Self::U8),
+            b"short" | b"int16" => Some(Self::I16),
+            b"ushort" | b"uint16" => Some(Self::U16),
+            b"int" | b"int32" => Some(Self::I32),
+            b"uint" | b"uint32" => Some(Self::U32),
+            b"float" | b"float32" => Some(Self::F32),
+            b"double" | b"float64" => Some(Self::F64),
+            _ => None,
+        }
+    }
+
+    pub(super) fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    Scalar(Scalar),
+    List { count: Scalar, item: Scalar },
+}
+
+pub(super) struct Property {
+    pub(super) name: String,
+    pub(super) kind: Kind,
+}
+
+impl Property {
+    /// Reads a header line behind the word `property`.
+    pub(super) fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
+        let scalar = |tokens: &mut Tokens| tokens.read_in_line("a type", Scalar::named);
+        let first = tokens.read_in_line("a type", |word| match word {
+            b"list" => Some(None),
+            _ => Scalar::named(word).map(Some),
+        })?;
+        let kind = match first {
+            Some(kind) => Kind::Scalar(kind),
+            None => Kind::List { count: scalar(tokens)?, item: scalar(tokens)? },
+        };
+        Ok(Self { name: tokens.read_in_line("a property name", text)?, kind })
+    }
+}
+
+pub(super) struct Element {
+    pub(super) name: String,
+    pub(super) count: usize,
+    pub(super) properties: Vec<Property>,
+}
+
+impl Element {
+    /// Reads a header line behind the word `element`.
+    pub(super) fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
+        let name = tokens.read_in_line("an element name", text)?;
+        let count = tokens.read_in_line("a number of elements", tokens::count)?;
+        Ok(Self { name, count, properties: Vec::new() })
+    }
+
+    /// Which coordinate a property of `vertex` is.
+    pub(super) fn axis(&self, property: &Property) -> Option<usize> {
+        let is_scalar = matches!(property.kind, Kind::Scalar(_));
+        let axis = ["x", "y", "z"].iter().position(|axis| *axis == property.name);
+        axis.filter(|_| is_scalar && self.name == "vertex")
+    }
+
+    /// Whether a property of `face` is the list of corners.
+    pub(super) fn is_corners(&self, property: &Property) -> bool {
+        self.name == "face"
+            && matches!(property.kind, Kind::List { .. })
+            && ["vertex_indices", "vertex_index"].contains(&property.name.as_str())
+    }
+
+    /// Says what a `vertex` or `face` lacks to be one, or has twice.
+    fn check(&self) -> Result<(), String> {
+        let amount = |name: &str, matches: &dyn Fn(&Property) -> bool| match self
+            .properties
+            .iter()
+            .filter(|property| matches(property))
+            .count()
+        {
+            0 => Err(format!("element {} has no {name}", self.name)),
+            1 => Ok(()),
+            _ => Err(format!("element {} has more than one {name}", self.name)),
+        };
+        match self.name.as_str() {
+            "vertex" => ["x", "y", "z"].iter().enumerate().try_for_each(|(axis, name)| {
+                amount(&format!("number {name}"), &|property| self.axis(property) == Some(axis))
+            }),
+            "face" => amount("list vertex_indices", &|property| self.is_corners(property)),
+            _ => Ok(()),
+        }
+    }
+
+    /// Names of what is skipped.
+    pub(super) fn left_out(&self) -> Vec<String> {
+        if self.count == 0 {
+            return Vec::new();
+        }
+        if !["vertex", "face"].contains(&self.name.as_str()) {
+            return vec![format!("element {}", self.name)];
+        }
+        let is_kept = |property| self.axis(property).is_some() || self.is_corners(property);
+        let skipped = self.properties.iter().filter(|property| !is_kept(property));
+        skipped.map(|property| format!("{} property {}", self.name, property.name)).collect()
+    }
+}
+
+pub(super) struct Header {
+    pub(super) encoding: Encoding,
+    pub(super) elements: Vec<Element>,
+}
+
+impl Header {
+    /// Reads up to the first byte of data.
+    pub(super) fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
+        tokens.read("'ply'", |word| (word == b"ply").then_some(()))?;
+        let mut encoding = None;
+        let mut elements: Vec<Element> = Vec::new();
+        loop {
+            tokens.skip_line();
+            match tokens.next_word() {
+                Some(b"comment" | b"obj_info") => {}
+                Some(b"format") => {
+                    encoding = Some(tokens.read_in_line("a PLY format", Encoding::named)?);
+                }
+                Some(b"element") => {
+                    close_element(tokens, &elements)?;
+                    elements.push(Element::read(tokens)?);
+                }
+                Some(b"property") => match elements.last_mut() {
+                    Some(element) => element.properties.push(Property::read(tokens)?),
+                    None => return Err(tokens.malformed("a property before any element")),
+                },
+                Some(b"end_header") => break,
+                Some(_) => return Err(tokens.unexpected("a word of a PLY header")),
+                None => return Err(tokens::truncated("end_header")),
+            }
+        }
+        close_element(tokens, &elements)?;
+        let encoding = encoding.ok_or_else(|| tokens.malformed("no format line before"))?;
+        if !elements.iter().any(|element| element.name == "vertex") {
+            return Err(tokens.malformed("no element vertex before"));
+        }
+        tokens.skip_line();
+        Ok(Self { encoding, elements })
+    }
+}
+
+/// Checks the last of `elements` when all its properties are known.
+fn close_element(tokens: &Tokens, elements: &[Element]) -> Result<(), MeshError> {
+    let Some((last, before)) = elements.split_last() else {
+        return Ok(());
+    };
+    if before.iter().any(|element| element.name == last.name) {
+        return Err(tokens.malformed(format!("a second element {} before", last.name)));
+    }
+    last.check().map_err(|problem| tokens.malformed(format!("{problem}; it ends here")))
+}
+
+fn text(word: &[u8]) -> Option<String> {
+    Some(String::from_utf8_lossy(word).into_owned())
+}
