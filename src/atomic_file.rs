@@ -22,12 +22,15 @@ pub fn abandon_all() {
 /// A file written beside its target under a temporary name and renamed when it is complete.
 ///
 /// Made before the work starts, so that a folder that cannot be written to is found out at once.
-/// Dropped without [`AtomicFile::commit`], it leaves nothing behind.
+/// Dropped without [`AtomicFile::commit`], it leaves nothing behind. A symbolic link is followed;
+/// a device or pipe, which cannot be replaced, is written to as it is.
 #[derive(Debug)]
-pub struct AtomicFile {
-    target: PathBuf,
-    file: BufWriter<NamedTempFile>,
-    _registration: Registration,
+pub struct AtomicFile(Kind);
+
+#[derive(Debug)]
+enum Kind {
+    Renamed { target: PathBuf, file: BufWriter<NamedTempFile>, _registration: Registration },
+    Direct(BufWriter<File>),
 }
 
 impl AtomicFile {
@@ -36,17 +39,21 @@ impl AtomicFile {
     /// # Errors
     /// `target` is a folder, or no file can be made beside it.
     pub fn create(target: &Path) -> io::Result<Self> {
+        let target = target.canonicalize().unwrap_or_else(|_| target.to_owned());
         if target.is_dir() {
             return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder"));
+        }
+        if target.exists() && !target.is_file() {
+            let device = File::options().write(true).open(target)?;
+            return Ok(Self(Kind::Direct(BufWriter::new(device))));
         }
         let folder = match target.parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent,
             _ => Path::new("."),
         };
-        let file = temporary_file(folder)?;
-        let registration = Registration::new(file.path());
+        let (file, registration) = temporary_file(folder)?;
         let file = BufWriter::with_capacity(1 << 16, file);
-        Ok(Self { target: target.to_owned(), file, _registration: registration })
+        Ok(Self(Kind::Renamed { target, file, _registration: registration }))
     }
 
     /// Puts the complete file in place of the target.
@@ -54,23 +61,35 @@ impl AtomicFile {
     /// # Errors
     /// Those of the file system; the target is then what it was.
     pub fn commit(self) -> io::Result<()> {
-        let file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
-        file.persist(self.target).map_err(|error| error.error)?;
-        Ok(())
+        match self.0 {
+            Kind::Renamed { target, file, _registration } => {
+                let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
+                file.persist(target).map_err(|error| error.error)?;
+                Ok(())
+            }
+            Kind::Direct(mut file) => file.flush(),
+        }
     }
 }
 
 impl Write for AtomicFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
+        match &mut self.0 {
+            Kind::Renamed { file, .. } => file.write(bytes),
+            Kind::Direct(file) => file.write(bytes),
+        }
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+        match &mut self.0 {
+            Kind::Renamed { file, .. } => file.flush(),
+            Kind::Direct(file) => file.flush(),
+        }
     }
 }
 
-fn temporary_file(folder: &Path) -> io::Result<NamedTempFile<File>> {
+/// A temporary file, registered from the moment that it exists.
+fn temporary_file(folder: &Path) -> io::Result<(NamedTempFile, Registration)> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".triquad-").suffix(".tmp");
     #[cfg(unix)]
@@ -79,19 +98,16 @@ fn temporary_file(folder: &Path) -> io::Result<NamedTempFile<File>> {
         // As for any new file, the user's umask takes its part from this.
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
-    builder.tempfile_in(folder)
+    let mut pending = PENDING.lock().unwrap_or_else(PoisonError::into_inner);
+    let file = builder.tempfile_in(folder)?;
+    pending.push(file.path().to_owned());
+    let registration = Registration(file.path().to_owned());
+    Ok((file, registration))
 }
 
 /// Keeps a path in [`PENDING`] while it lives.
 #[derive(Debug)]
 struct Registration(PathBuf);
-
-impl Registration {
-    fn new(path: &Path) -> Self {
-        PENDING.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
-        Self(path.to_owned())
-    }
-}
 
 impl Drop for Registration {
     fn drop(&mut self) {
@@ -131,5 +147,23 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         assert!(AtomicFile::create(folder.path()).is_err());
         assert!(AtomicFile::create(&folder.path().join("missing/a.txt")).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_devices_written_to() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (folder.path().join("file"), folder.path().join("link"));
+        std::fs::write(&file, "old").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        let mut out = AtomicFile::create(&link).unwrap();
+        out.write_all(b"new").unwrap();
+        out.commit().unwrap();
+        assert!(link.is_symlink());
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), "new");
+        let mut out = AtomicFile::create(Path::new("/dev/null")).unwrap();
+        out.write_all(b"gone").unwrap();
+        out.commit().unwrap();
+        assert!(!Path::new("/dev/null").is_file());
     }
 }

@@ -222,6 +222,11 @@ impl<'g> Forest<'g> {
         self.trees[tree.0 as usize].fate = Fate::Felled;
     }
 
+    /// Forgets all trees. O(their number).
+    pub(super) fn fell_all(&mut self) {
+        self.trees.iter_mut().for_each(|tree| tree.fate = Fate::Felled);
+    }
+
     /// Ends the growth of `tree`, but keeps its triangles from other trees. O(1).
     pub(super) fn fence(&mut self, tree: TreeId) {
         self.trees[tree.0 as usize].fate = Fate::Fenced;

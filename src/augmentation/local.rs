@@ -11,7 +11,7 @@
 //! bipartite, so that trees of like roots never meet, the same ground would be taken and freed again
 //! and again. Once more has been visited than a few times the mesh, trees that met are therefore
 //! fenced instead: nobody else enters them until no tree can grow any more, and then all start anew.
-//! Each of these phases visits a triangle once at most and finds many paths.
+//! Such a phase visits a triangle once at most and finds many paths.
 
 use super::AugmentationStats;
 use super::forest::{Forest, Place, TreeId};
@@ -36,7 +36,7 @@ pub(super) fn augment(
     augment_with_patience(PATIENCE * graph.len(), graph, matching, on_path)
 }
 
-/// Like [`augment`], fencing trees after `patience` visits.
+/// Like [`augment`], fencing trees after `patience` visits of triangles.
 fn augment_with_patience(
     patience: usize,
     graph: &DualGraph,
@@ -56,7 +56,7 @@ fn augment_with_patience(
         if !search.fencing || search.stats.paths == before {
             break;
         }
-        search.forest.clear();
+        search.forest.fell_all();
     }
     search.stats.triangles_visited = search.forest.visited();
     search.stats
@@ -72,14 +72,6 @@ struct Search<'g> {
     fencing: bool,
 }
 
-/// How a tree's turn ended.
-enum Growth {
-    /// It met another tree, or has taken in its share and has more to scan.
-    Unfinished,
-    /// Nothing is left to scan for now.
-    Scanned,
-}
-
 impl Search<'_> {
     /// Grows trees from all unpaired triangles until none can grow any more.
     ///
@@ -92,14 +84,13 @@ impl Search<'_> {
         let mut share = FIRST_SHARE;
         loop {
             let before = (self.stats.paths, self.forest.visited());
-            let mut all_scanned = true;
             for &tree in &trees {
                 if self.forest.stands(tree) {
-                    let growth = self.grow(matching, tree, share, on_path);
-                    all_scanned &= matches!(growth, Growth::Scanned);
+                    self.grow(matching, tree, share, on_path);
                 }
             }
-            if all_scanned && before == (self.stats.paths, self.forest.visited()) {
+            // A tree that was cut short by its share has grown by as much.
+            if before == (self.stats.paths, self.forest.visited()) {
                 break;
             }
             trees.retain(|&tree| self.forest.stands(tree));
@@ -114,7 +105,7 @@ impl Search<'_> {
         tree: TreeId,
         share: usize,
         on_path: &mut dyn FnMut(),
-    ) -> Growth {
+    ) {
         let enough = self.forest.visited() + share;
         self.forest.retry_barred(tree);
         while let Some(v) = self.forest.next_to_scan(tree) {
@@ -122,13 +113,12 @@ impl Search<'_> {
                 self.stats.add_path(self.forest.augment(matching, v, w));
                 [tree, other].into_iter().for_each(|tree| self.retire(tree));
                 on_path();
-                return Growth::Unfinished;
+                return;
             }
             if self.forest.visited() >= enough {
-                return Growth::Unfinished;
+                return;
             }
         }
-        Growth::Scanned
     }
 
     fn retire(&mut self, tree: TreeId) {

@@ -17,8 +17,8 @@ use single_tree::augment_from;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Augmentation {
-    /// `local`: ours. The trees of all unpaired triangles grow together and meet half-way; after a
-    /// path only the two trees that met are forgotten.
+    /// `local`: ours. The trees of all unpaired triangles grow together and meet half-way; only what
+    /// is visited is touched.
     Local,
     /// `tarjan`: as published. One breadth-first tree at a time, all state set up anew for each
     /// path: Θ(n) a path.
@@ -97,10 +97,11 @@ impl<'g> Rescue<'g> {
 /// Augments `matching` until no augmenting path is left: a maximum matching of `graph`.
 ///
 /// `on_path` is called after each path. O(k n α) time for k unpaired triangles, where `local`
-/// usually needs little more than the neighbourhoods of those; 24 bytes a visited triangle.
+/// usually needs little more than the neighbourhoods of those. 24 bytes a triangle, with `local`
+/// usually only for those that it visits.
 ///
 /// # Panics
-/// If `matching` is not one of `graph`.
+/// If `matching` is not one of `graph`: in debug builds always, in others if the sizes differ.
 pub fn make_maximum(
     graph: &DualGraph,
     mut matching: Matching,
@@ -128,6 +129,6 @@ pub fn make_perfect(
     on_path: &mut dyn FnMut(),
 ) -> (PerfectMatching, AugmentationStats) {
     let (matching, stats) = make_maximum(graph, matching, augmentation, on_path);
-    let perfect = matching.certify();
+    let perfect = matching.certify(graph);
     (perfect.expect("a bridgeless 3-regular graph has a perfect matching (Theorem 2.1)"), stats)
 }

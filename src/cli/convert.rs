@@ -29,7 +29,7 @@ pub struct Arguments {
     #[arg(value_name = "IN")]
     input: PathBuf,
     /// Where the quads go: .obj .ply .off, each also with .gz; '-' writes OBJ to standard output.
-    /// Without it nothing is written but the summary
+    /// May be IN itself. Without it nothing is written but the summary
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// How triangles are paired at first:
@@ -195,7 +195,7 @@ impl<'a> Targets<'a> {
 /// Statistics may neither mix with the quads nor replace them or the input.
 fn refuse_shared_files(arguments: &Arguments) -> Result<(), Failure> {
     let Some(stats) = &arguments.stats else { return Ok(()) };
-    let same = |path: &PathBuf| std::path::absolute(path).ok() == std::path::absolute(stats).ok();
+    let same = |path: &PathBuf| identity(path).is_some_and(|one| Some(one) == identity(stats));
     if is_stdio(Some(stats)) {
         return match &arguments.output {
             Some(output) if output == stats => Err(Failure::bad(
@@ -211,6 +211,15 @@ fn refuse_shared_files(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::bad(format!("{}: {problem}", stats.display())));
     }
     Ok(())
+}
+
+/// The file that `path` means, whichever way there it takes.
+fn identity(path: &Path) -> Option<PathBuf> {
+    let through_folder = || {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        Some(folder.unwrap_or(Path::new(".")).canonicalize().ok()?.join(path.file_name()?))
+    };
+    path.canonicalize().ok().or_else(through_folder)
 }
 
 fn is_stdio(path: Option<&PathBuf>) -> bool {

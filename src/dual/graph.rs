@@ -1,5 +1,6 @@
 //! The dual graph: a node for each triangle, joined to those across its three edges.
 
+use crate::mesh::MAX_CORNERS;
 use crate::triangulation::{Id, TriangleId, Triangulation};
 
 /// For each triangle its three neighbours, or none where there is a boundary.
@@ -20,6 +21,9 @@ pub enum NotADualGraph {
     /// A node has more than three edges.
     #[error("node {0} has more than three edges")]
     Degree(u32),
+    /// There are more nodes than 2^31 half-edges allow.
+    #[error("more than 2^31 / 3 nodes")]
+    TooLarge,
     /// An edge names a node that does not exist.
     #[error("node {0} does not exist")]
     OutOfRange(u32),
@@ -37,6 +41,9 @@ impl DualGraph {
     /// # Errors
     /// Names the node that has a loop, too many edges, or does not exist.
     pub fn from_edges(nodes: usize, edges: &[(u32, u32)]) -> Result<Self, NotADualGraph> {
+        if nodes > MAX_CORNERS / 3 {
+            return Err(NotADualGraph::TooLarge);
+        }
         let mut neighbours = vec![[TriangleId::NONE; 3]; nodes];
         for &(a, b) in edges {
             if a == b {

@@ -37,10 +37,10 @@ impl Matching {
     /// Pairs two unpaired triangles.
     ///
     /// # Panics
-    /// In debug builds, if one of them is paired already.
+    /// If one of them is paired already, or both are the same.
     #[inline]
     pub fn pair(&mut self, f: TriangleId, g: TriangleId) {
-        debug_assert!(f != g && !self.is_paired(f) && !self.is_paired(g));
+        assert!(f != g && !self.is_paired(f) && !self.is_paired(g), "a triangle has one mate");
         self.mate[f] = g;
         self.mate[g] = f;
         self.unpaired -= 2;
@@ -88,12 +88,16 @@ impl Matching {
             && self.unpaired().count() == self.unpaired
     }
 
-    /// The proof that every triangle is paired.
+    /// The proof that every triangle is paired with one across an edge of `graph`. O(n).
     ///
     /// # Errors
-    /// The matching itself, if a triangle is unpaired.
-    pub fn certify(self) -> Result<PerfectMatching, Self> {
-        if self.unpaired == 0 { Ok(PerfectMatching { mate: self.mate }) } else { Err(self) }
+    /// The matching itself, if a triangle is unpaired or the matching is not one of `graph`.
+    pub fn certify(self, graph: &DualGraph) -> Result<PerfectMatching, Self> {
+        if self.unpaired == 0 && self.is_matching_of(graph) {
+            Ok(PerfectMatching { mate: self.mate })
+        } else {
+            Err(self)
+        }
     }
 }
 

@@ -1,5 +1,8 @@
 //! Positions and faces exactly as a file states them: nothing is checked here.
 
+/// The most corners that a mesh may have: half-edges are numbered with 32 bits, and room to spare.
+pub const MAX_CORNERS: usize = 1 << 31;
+
 /// Marks a corner that has no texture or normal index.
 pub const NO_INDEX: u32 = u32::MAX;
 

@@ -19,7 +19,7 @@ use std::path::Path;
 use flate2::read::MultiGzDecoder;
 
 pub use error::{MeshError, Place};
-pub use face_list::{Attributes, FaceList, Faces, Lines, NO_INDEX, Section};
+pub use face_list::{Attributes, FaceList, Faces, Lines, MAX_CORNERS, NO_INDEX, Section};
 pub use output::{Output, write_as};
 
 /// A mesh file format.

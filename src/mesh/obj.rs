@@ -14,7 +14,7 @@ use blocks::Blocks;
 use cursor::{Cursor, Fault};
 pub(super) use write::write;
 
-use super::{Attributes, FaceList, MeshError, NO_INDEX, Place, Section};
+use super::{Attributes, FaceList, MAX_CORNERS, MeshError, NO_INDEX, Place, Section};
 
 /// Reads an OBJ file, a block at a time: the text is never held as a whole.
 ///
@@ -24,6 +24,10 @@ pub(super) fn read(input: &mut dyn Read) -> Result<FaceList, MeshError> {
     let mut parser = Parser::default();
     let mut blocks = Blocks::default();
     while let Some(block) = blocks.next(input)? {
+        if block.lines_before == 0 && has_lone_returns(block.text) {
+            let problem = "lines end with carriage returns alone, as on old Macintoshes";
+            return Err(MeshError::malformed(Place::Line(1), problem));
+        }
         let mut cursor = Cursor { rest: block.text };
         if block.lines_before == 0 {
             cursor.skip_byte_order_mark();
@@ -36,6 +40,12 @@ pub(super) fn read(input: &mut dyn Read) -> Result<FaceList, MeshError> {
         }
     }
     parser.finish()
+}
+
+/// Whether `text` has carriage returns inside and no line breaks.
+fn has_lone_returns(text: &[u8]) -> bool {
+    let first_return = memchr::memchr(b'\r', text);
+    first_return.is_some_and(|at| at + 1 < text.len()) && memchr::memchr(b'\n', text).is_none()
 }
 
 #[derive(Default)]
@@ -93,7 +103,7 @@ impl Parser {
             self.corner(cursor)?;
             arity += 1;
         }
-        if self.list.faces.corners().len() > crate::triangulation::MAX_HALF_EDGES {
+        if self.list.faces.corners().len() > MAX_CORNERS {
             return Err(Fault::too_large());
         }
         self.list.faces.close_face(arity);
@@ -221,6 +231,17 @@ mod tests {
         }
         assert_eq!(faces("f 3\t2  1\n"), [[2, 1, 0]], "vertices may come later");
         assert_eq!(faces("f 1 2 \\\n 3 \\\r\n4\nf 1 2 3\n"), [vec![0, 1, 2, 3], vec![0, 1, 2]]);
+    }
+
+    #[test]
+    fn a_backslash_does_not_continue_a_comment() {
+        let list = read(b"# C:\\models\\\nv 1 2 3\n  #\\\r\nv 4 5 \\\n6\n").unwrap();
+        assert_eq!(list.positions, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    }
+
+    #[test]
+    fn lone_carriage_returns_are_named() {
+        assert!(problem("v 0 0 0\rv 1 0 0\rf 1 2 1\r").starts_with("line 1: lines end with"));
     }
 
     #[test]

@@ -6,8 +6,8 @@
 use std::io::{self, Write};
 
 use super::error::MeshError;
-use super::face_list::{FaceList, Faces};
-use super::tokens::{self, MAX_CORNERS, Tokens};
+use super::face_list::{FaceList, Faces, MAX_CORNERS};
+use super::tokens::{self, Tokens};
 
 /// Reads an OFF file.
 pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {

@@ -10,8 +10,8 @@ use std::io::{self, Write};
 use header::{Element, Encoding, Header, Kind, Scalar};
 
 use super::error::{MeshError, Place};
-use super::face_list::{FaceList, Faces};
-use super::tokens::{self, MAX_CORNERS, Tokens};
+use super::face_list::{FaceList, Faces, MAX_CORNERS};
+use super::tokens::{self, Tokens};
 
 /// Reads a PLY file.
 pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {

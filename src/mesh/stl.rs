@@ -6,8 +6,8 @@
 use rustc_hash::FxHashMap;
 
 use super::error::{MeshError, Place};
-use super::face_list::FaceList;
-use super::tokens::{self, MAX_CORNERS, Tokens};
+use super::face_list::{FaceList, MAX_CORNERS};
+use super::tokens::{self, Tokens};
 
 const HEADER_BYTES: usize = 84;
 const TRIANGLE_BYTES: usize = 50;

@@ -4,9 +4,6 @@ use std::fmt::Display;
 
 use super::error::{MeshError, Place};
 
-/// As many corners as 32-bit half-edge indices can name.
-pub(super) const MAX_CORNERS: usize = 1 << 31;
-
 /// The file ends where `missing` should be.
 pub(super) fn truncated(missing: impl Display) -> MeshError {
     MeshError::Truncated { place: Place::End, missing: missing.to_string() }

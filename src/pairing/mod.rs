@@ -56,17 +56,6 @@ impl Algorithm {
         }
     }
 
-    /// One line for people.
-    pub fn summary(self) -> &'static str {
-        match self {
-            Self::Triquad => "ours: as fast as possible, no edge moved",
-            Self::SimpleGreedy => "simple greedy, edges in random order",
-            Self::PulliSegal => {
-                "greedy by the four priorities of Pulli and Segal, triangles in random order"
-            }
-        }
-    }
-
     /// Pairs up triangles of `triangulation`.
     ///
     /// Equal input and equal `random` give equal output. O(n).

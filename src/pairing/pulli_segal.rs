@@ -24,7 +24,7 @@ use crate::triangulation::{Id, TriangleId};
 /// Number of the priority set of an unpaired triangle; the highest goes first.
 ///
 /// A triangle's priority never falls: edges are locked and never freed. So each triangle enters
-/// each queue at most once, and an entry is out of date exactly if the priority has changed since.
+/// each queue at most once, parallel edges apart, and an entry is out of date exactly if the priority has changed since.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Priority {
     /// In no set any more: paired, or left alone with no free edge.
@@ -287,35 +287,34 @@ impl Ranks {
 /// Set 0: all triangles at first. Triangles that have left it are passed over.
 #[derive(Default)]
 struct LowestSet {
-    /// Every triangle of set 0 from `taken` on, once there have been enough unlucky draws.
+    /// Every triangle of set 0 in random order, once there have been enough unlucky draws.
     listed: Option<Vec<TriangleId>>,
+    /// How many have been taken, or passed over, in that order or that of the triangles.
     taken: usize,
 }
 
 impl LowestSet {
     /// Takes a triangle of the set: a random one, or else the first.
-    fn pop(&mut self, ranks: &Ranks, mut random: Option<&mut Random>) -> Option<TriangleId> {
+    fn pop(&mut self, ranks: &Ranks, random: Option<&mut Random>) -> Option<TriangleId> {
+        let is_in = |f: &TriangleId| ranks.priority(*f) == Priority::ThreeFree;
+        let Some(random) = random else {
+            let found = (self.taken..ranks.triangles()).map(TriangleId::new).find(is_in)?;
+            self.taken = found.index() + 1;
+            return Some(found);
+        };
         if self.listed.is_none() {
-            if let Some(f) = random.as_deref_mut().and_then(|random| draw(ranks, random)) {
+            if let Some(f) = draw(ranks, random) {
                 return Some(f);
             }
-            self.list(ranks, random);
+            let mut left: Vec<TriangleId> =
+                (0..ranks.triangles()).map(TriangleId::new).filter(is_in).collect();
+            random.shuffle(&mut left);
+            self.listed = Some(left);
         }
         let waiting = &self.listed.as_deref().unwrap_or_default()[self.taken..];
-        let found = waiting.iter().position(|&f| ranks.priority(f) == Priority::ThreeFree)?;
+        let found = waiting.iter().position(is_in)?;
         self.taken += found + 1;
         Some(waiting[found])
-    }
-
-    /// Lists what is left of the set, in random order if there is to be any randomness.
-    fn list(&mut self, ranks: &Ranks, random: Option<&mut Random>) {
-        let all = (0..ranks.triangles()).map(TriangleId::new);
-        let mut left: Vec<TriangleId> =
-            all.filter(|&f| ranks.priority(f) == Priority::ThreeFree).collect();
-        if let Some(random) = random {
-            random.shuffle(&mut left);
-        }
-        self.listed = Some(left);
     }
 }
 

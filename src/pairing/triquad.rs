@@ -10,7 +10,7 @@ use crate::augmentation::Rescue;
 use crate::dual::{DualGraph, Matching};
 
 /// How many triangles are searched to rescue one; more is left to the augmentation.
-const SEARCH_LIMIT: usize = 2000;
+const SEARCH_LIMIT: usize = 8000;
 
 /// Pairs triangles as [`pulli_segal`](super::pulli_segal()) does, in the order of the triangles, and
 /// each that would be left alone by an augmenting path to the nearest unpaired one.

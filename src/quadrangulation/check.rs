@@ -42,7 +42,7 @@ pub enum Mismatch {
     /// A quad has a corner twice.
     #[error("quad {} repeats a corner", .0 + 1)]
     RepeatedCorner(usize),
-    /// Two quads pass an edge in the same direction.
+    /// Two faces of one of the meshes pass an edge in the same direction.
     #[error("edge {}-{} is passed twice in the same direction", .0 + 1, .1 + 1)]
     EdgeTwice(u32, u32),
     /// An edge is passed in one direction only.

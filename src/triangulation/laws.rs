@@ -2,8 +2,12 @@
 
 use std::fmt;
 
-/// Half-edge ids are 32-bit numbers with room to spare for later structures.
-pub(crate) const MAX_HALF_EDGES: usize = 1 << 31;
+use crate::mesh::MAX_CORNERS;
+
+/// Whether there are more vertices or corners than 32-bit ids can name.
+pub(super) fn is_too_large(vertices: usize, corners: usize) -> bool {
+    corners > MAX_CORNERS || vertices >= u32::MAX as usize
+}
 
 /// A law, in the order in which a mesh's first broken one is reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -11,7 +15,7 @@ pub(crate) const MAX_HALF_EDGES: usize = 1 << 31;
 pub enum Law {
     /// There is at least one face.
     NotEmpty,
-    /// There are at most 2^31 half-edges.
+    /// There are at most 2^31 half-edges, and fewer than 2^32 - 1 vertices.
     NotTooLarge,
     /// Every face index names a vertex.
     IndexInRange,
@@ -58,7 +62,7 @@ impl Law {
     fn complaint(self) -> &'static str {
         match self {
             Self::NotEmpty => "has no faces",
-            Self::NotTooLarge => "has more than 2^31 half-edges",
+            Self::NotTooLarge => "has more than 2^31 half-edges or 2^32 - 2 vertices",
             Self::IndexInRange => "names a vertex that does not exist",
             Self::FiniteCoordinate => "has a coordinate that is NaN or infinite",
             Self::Triangle => "is not a triangle",
@@ -137,5 +141,17 @@ impl fmt::Display for Violation {
             write!(f, " (first of {})", self.count)?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_bound_the_size_of_a_mesh() {
+        assert!(!is_too_large(u32::MAX as usize - 1, 1 << 31));
+        assert!(is_too_large(4, (1 << 31) + 1));
+        assert!(is_too_large(u32::MAX as usize, 12));
     }
 }

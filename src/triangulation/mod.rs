@@ -11,7 +11,6 @@ mod laws;
 mod survey;
 
 pub use ids::{HalfEdgeId, Id, IdVec, TriangleId, VertexId};
-pub(crate) use laws::MAX_HALF_EDGES;
 pub use laws::{Element, Law, Violation};
 pub use survey::Survey;
 

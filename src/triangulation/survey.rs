@@ -3,7 +3,7 @@
 //! Works on polygons of any size and assumes nothing: edges are found by sorting, sides and fans
 //! by disjoint sets. O(n log n); meshes that are all right never come here.
 
-use super::laws::{Element, Law, MAX_HALF_EDGES, Violation};
+use super::laws::{Element, Law, Violation, is_too_large};
 use crate::disjoint_sets::ParitySets;
 use crate::mesh::FaceList;
 
@@ -49,9 +49,16 @@ impl std::fmt::Display for Survey {
 }
 
 impl Survey {
-    /// Examines every face, edge and vertex of `list`. O(n log n) time, about 130 bytes a triangle.
+    /// Examines every face, edge and vertex of `list`. O(n log n) time, about 100 bytes a triangle.
     pub fn of(list: &FaceList) -> Self {
         let mut violations = Violations::default();
+        if is_too_large(list.positions.len(), list.faces.corners().len()) {
+            // Nothing below can count so far; the counts are those of an empty mesh.
+            let mut survey = Self::of(&FaceList::default());
+            survey.violations =
+                vec![Violation { law: Law::NotTooLarge, element: Element::Mesh, count: 1 }];
+            return survey;
+        }
         let sound = sound_faces(list, &mut violations);
         find_duplicates(list, &sound, &mut violations);
         let edges = Edges::gather(list, &sound);
@@ -130,9 +137,6 @@ impl Violations {
 fn sound_faces(list: &FaceList, violations: &mut Violations) -> Vec<bool> {
     if list.faces.is_empty() {
         violations.add(Law::NotEmpty, Element::Mesh);
-    }
-    if list.faces.corners().len() > MAX_HALF_EDGES {
-        violations.add(Law::NotTooLarge, Element::Mesh);
     }
     for (v, position) in list.positions.iter().enumerate() {
         if !position.iter().all(|coordinate| coordinate.is_finite()) {

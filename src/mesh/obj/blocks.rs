@@ -40,7 +40,8 @@ impl Blocks {
         let mut end;
         loop {
             let before = self.buffer.len();
-            input.take(BLOCK as u64).read_to_end(&mut self.buffer)?;
+            // Doubling where a line is longer than a block, or searching it would be quadratic.
+            input.take(before.max(BLOCK) as u64).read_to_end(&mut self.buffer)?;
             let at_end = self.buffer.len() == before;
             end = if at_end { self.buffer.len() } else { end_of_whole_lines(&self.buffer) };
             if end > 0 || at_end {
@@ -67,6 +68,7 @@ impl Blocks {
         while let Some(found) = memchr::memchr(b'\\', &self.buffer[from..self.given]) {
             let slash = from + found;
             let length = match self.buffer[slash + 1..self.given] {
+                _ if is_in_comment(&self.buffer, slash) => 0,
                 [b'\n', ..] => 2,
                 [b'\r', b'\n', ..] => 3,
                 _ => 0,
@@ -80,12 +82,19 @@ impl Blocks {
     }
 }
 
+/// Whether the line of `text` around `at` is a comment, which a backslash does not continue: it may
+/// be the end of a folder's name.
+fn is_in_comment(text: &[u8], at: usize) -> bool {
+    let start = memchr::memrchr(b'\n', &text[..at]).map_or(0, |newline| newline + 1);
+    text[start..at].trim_ascii_start().starts_with(b"#")
+}
+
 /// Where the last line ends that is whole and not continued; 0 if none does.
 fn end_of_whole_lines(text: &[u8]) -> usize {
     let mut end = text.len();
     while let Some(at) = memchr::memrchr(b'\n', &text[..end]) {
         match text[..at] {
-            [.., b'\\'] | [.., b'\\', b'\r'] => end = at,
+            [.., b'\\'] | [.., b'\\', b'\r'] if !is_in_comment(text, at) => end = at,
             _ => return at + 1,
         }
     }
