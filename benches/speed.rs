@@ -38,7 +38,7 @@ fn main() -> Result<()> {
         "seconds, best of {ROUNDS}: read, build, (a) pairing, (d) augmentation, (e) = (a) + (d)"
     );
     println!(
-        "{:24} {:>9} {:>4} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>6} {:>7} {:>7} {:>7}",
+        "{:24} {:>9} {:>4} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>6} {:>8} {:>7} {:>7} {:>7}",
         "mesh",
         "triangles",
         "",
@@ -49,6 +49,7 @@ fn main() -> Result<()> {
         "(e)",
         "check",
         "B/tri",
+        "unp. %",
         "L",
         "build/L",
         "(e)/L"
@@ -155,7 +156,7 @@ fn print_row(path: &Path, algorithm: &str, best: &Best, yardstick: Option<f64>) 
         .map_or("-".into(), |bytes| format!("{:.0}", bytes / best["triangles"]));
     let in_l = |seconds: f64| yardstick.map_or("-".into(), |l| format!("{:.2}", seconds / l));
     println!(
-        "{:24.24} {:>9} {:>4} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>6} {:>7} {:>7} {:>7}",
+        "{:24.24} {:>9} {:>4} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>7.3} {:>6} {:>8.4} {:>7} {:>7} {:>7}",
         name,
         best["triangles"],
         algorithm,
@@ -166,6 +167,7 @@ fn print_row(path: &Path, algorithm: &str, best: &Best, yardstick: Option<f64>) 
         total,
         best["check_seconds"],
         bytes,
+        100.0 - best["paired_percent"],
         yardstick.map_or("-".into(), |l| format!("{l:.4}")),
         in_l(best["build_seconds"]),
         in_l(total),

@@ -52,6 +52,9 @@ impl AtomicFile {
             _ => Path::new("."),
         };
         let (file, registration) = temporary_file(folder)?;
+        if let Ok(replaced) = target.metadata() {
+            file.as_file().set_permissions(replaced.permissions())?;
+        }
         let file = BufWriter::with_capacity(1 << 16, file);
         Ok(Self(Kind::Renamed { target, file, _registration: registration }))
     }
@@ -99,7 +102,8 @@ fn temporary_file(folder: &Path) -> io::Result<(NamedTempFile, Registration)> {
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
     let mut pending = PENDING.lock().unwrap_or_else(PoisonError::into_inner);
-    let file = builder.tempfile_in(folder)?;
+    // The error would name the temporary file.
+    let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
     pending.push(file.path().to_owned());
     let registration = Registration(file.path().to_owned());
     Ok((file, registration))
@@ -147,6 +151,18 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         assert!(AtomicFile::create(folder.path()).is_err());
         assert!(AtomicFile::create(&folder.path().join("missing/a.txt")).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_private_file_stays_private() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let target = folder.path().join("private");
+        std::fs::write(&target, "old").unwrap();
+        std::fs::set_permissions(&target, std::fs::Permissions::from_mode(0o600)).unwrap();
+        AtomicFile::create(&target).unwrap().commit().unwrap();
+        assert_eq!(target.metadata().unwrap().permissions().mode() & 0o777, 0o600);
     }
 
     #[cfg(unix)]

@@ -209,6 +209,7 @@ pub fn convert_list(
         check_seconds,
     };
     list.faces = quads;
+    list.cut_from.clear();
     list.attributes = attributes.map(Box::new);
     Ok((list, summary))
 }

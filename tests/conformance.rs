@@ -118,6 +118,15 @@ fn a_seed_fixes_the_result_and_another_changes_it() {
 }
 
 #[test]
+fn a_large_regular_torus_is_paired_almost_fully() {
+    let triangulation =
+        Triangulation::build(&common::face_list(&grids::torus(1450, 1450))).unwrap();
+    let mut random = triquad::random::Random::stream(0, &["ps"]);
+    let matching = Algorithm::PulliSegal.pair(&triangulation, &mut random).matching;
+    assert!(matching.unpaired_count() * 10_000 < triangulation.triangle_count());
+}
+
+#[test]
 fn unreferenced_vertices_are_kept() {
     let mut list = common::face_list(&grids::sphere(4));
     list.positions.extend([[7.0; 3], [-0.0; 3]]);

@@ -201,6 +201,44 @@ fn defective_meshes_are_refused_for_what_is_wrong_first() {
 }
 
 #[test]
+fn the_tool_refuses_defective_meshes_with_one_line() {
+    let Some(catalogue) = Catalogue::open() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    for (name, as_read, _) in FIRST_BROKEN {
+        let output = folder.path().join("quads.obj");
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_triquad"))
+            .arg("convert")
+            .arg(catalogue.folder.join("defective").join(name))
+            .arg("-o")
+            .arg(&output)
+            .output()
+            .unwrap();
+        let message = String::from_utf8(run.stderr).unwrap();
+        match as_read {
+            None => {
+                assert!(run.status.success() && std::fs::remove_file(&output).is_ok(), "{name}");
+            }
+            Some(law) => {
+                assert_eq!(
+                    (run.status.code(), message.lines().count()),
+                    (Some(2), 1),
+                    "{name}: {message}"
+                );
+                assert!(
+                    [name, law.name(), law.remedy()].iter().all(|part| message.contains(part)),
+                    "{message}"
+                );
+            }
+        }
+        assert_eq!(
+            std::fs::read_dir(folder.path()).unwrap().count(),
+            0,
+            "{name} left something behind"
+        );
+    }
+}
+
+#[test]
 fn defective_meshes_that_can_be_mended_are_converted() {
     let Some(catalogue) = Catalogue::open() else { return };
     let mendable = |law: Option<Law>| law.is_none() || law == Some(Law::ConsistentOrientation);

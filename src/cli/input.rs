@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use triquad::mesh::{self, FaceList, MeshError};
-use triquad::{Survey, Triangulation};
+use triquad::mesh::{self, FaceList, Format, MeshError};
+use triquad::{Element, Survey, Triangulation};
 
 use super::{Failure, stdio};
 
@@ -58,10 +58,11 @@ pub fn refusal(path: &Path, survey: &Survey) -> Failure {
         1 => " (and 1 other law is broken, see 'triquad info')".into(),
         more => format!(" (and {more} other laws are broken, see 'triquad info')"),
     };
-    Failure::bad(format!(
-        "{}: {first} [{}]{others}; {}",
-        path.display(),
-        first.law.name(),
-        first.law.remedy()
-    ))
+    // In an OBJ file numbers count from 1 anyway.
+    let from_one = match (Format::of(path), first.element) {
+        (Ok(Format::Obj), _) | (_, Element::Mesh) => "",
+        _ => ", counted from 1",
+    };
+    let (name, remedy) = (first.law.name(), first.law.remedy());
+    Failure::bad(format!("{}: {first}{from_one} [{name}]{others}; {remedy}", path.display()))
 }

@@ -13,6 +13,7 @@ mod stdio;
 
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
 /// All-quadrilateral meshes from triangle meshes of closed surfaces.
@@ -67,7 +68,11 @@ pub fn main() -> ExitCode {
     if let Err(error) = ctrlc::set_handler(handler) {
         stdio::complain(&format!("interrupts will not be cleaned up after: {error}"));
     }
-    let result = match Arguments::parse().verb {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return explain_usage(&error),
+    };
+    let result = match arguments.verb {
         Verb::Convert(arguments) => convert::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Info(arguments) => info::run(&arguments),
@@ -79,4 +84,22 @@ pub fn main() -> ExitCode {
             ExitCode::from(failure.code)
         }
     }
+}
+
+/// Prints help as it is, and what is wrong with the arguments in one line.
+fn explain_usage(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        // Nobody left to read the help is no failure.
+        let _ = error.print();
+        return ExitCode::SUCCESS;
+    }
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let _ = error.print();
+        return ExitCode::from(2);
+    }
+    let text = error.to_string();
+    let first = text.split("\n\n").next().unwrap_or_default();
+    let words: Vec<&str> = first.trim_start_matches("error: ").split_whitespace().collect();
+    stdio::complain(&format!("{}; 'triquad --help' explains", words.join(" ")));
+    ExitCode::from(2)
 }

@@ -15,7 +15,8 @@ pub fn say(line: &str) -> Result<(), Failure> {
     }
 }
 
-/// Prints a line on standard error.
+/// Prints a line on standard error. Control characters, as file names may hold them, are replaced.
 pub fn complain(line: &str) {
+    let line: String = line.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     let _ = writeln!(io::stderr().lock(), "triquad: {line}");
 }

@@ -21,12 +21,19 @@ pub struct FaceList {
     pub attributes: Option<Box<Attributes>>,
     /// What the file holds and this list does not, for the user to be told.
     pub left_out: Vec<String>,
+    /// For each face the face of the file (from 0) that it was cut from; empty if none has been cut.
+    pub cut_from: Vec<u32>,
 }
 
 impl FaceList {
     /// A list of positions and triangles without attributes.
     pub fn from_triangles(positions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
         Self { positions, faces: Faces::uniform(3, triangles.into_flattened()), ..Self::default() }
+    }
+
+    /// The position in the file (from 0) of `face`, whatever faces have been cut.
+    pub fn face_in_file(&self, face: usize) -> usize {
+        self.cut_from.get(face).map_or(face, |&original| original as usize)
     }
 
     /// Reverses one face, keeping its first corner first.
@@ -58,12 +65,14 @@ impl FaceList {
             if range.len() <= 3 {
                 sources.extend(range);
                 self.faces.push(old.get(face));
+                self.cut_from.push(face as u32);
                 continue;
             }
             for at in range.start + 1..range.end - 1 {
                 let triangle = [range.start, at, at + 1];
                 sources.extend(triangle);
                 self.faces.push(&triangle.map(|corner| old.corners[corner]));
+                self.cut_from.push(face as u32);
             }
         }
         first_new.push(self.faces.len());

@@ -38,8 +38,12 @@ impl Output {
     pub fn write(self, mesh: &FaceList) -> Result<(), MeshError> {
         let Some(mut file) = self.file else {
             let mut out = BufWriter::new(io::stdout().lock());
-            write_as(self.format, &mut out, mesh)?;
-            return Ok(out.flush()?);
+            let written = write_as(self.format, &mut out, mesh).and_then(|()| Ok(out.flush()?));
+            return match written {
+                // The reader has seen enough.
+                Err(MeshError::Io(error)) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+                written => written,
+            };
         };
         if self.gzip {
             // The header carries no time: equal meshes make equal files.

@@ -108,7 +108,7 @@ pub enum Element {
     Vertex(u32),
     /// An edge, by the indices of its ends from 0.
     Edge(u32, u32),
-    /// A face, by its index from 0.
+    /// A face, by its index in the file from 0.
     Face(usize),
 }
 

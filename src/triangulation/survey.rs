@@ -152,7 +152,7 @@ fn sound_faces(list: &FaceList, violations: &mut Violations) -> Vec<bool> {
             (distinct, Law::DistinctCorners),
         ];
         for (_, law) in laws.iter().filter(|(holds, _)| !holds) {
-            violations.add(*law, Element::Face(face));
+            violations.add(*law, Element::Face(list.face_in_file(face)));
         }
         in_range && distinct && corners.len() >= 3
     };
@@ -193,7 +193,7 @@ fn find_duplicates(list: &FaceList, sound: &[bool], violations: &mut Violations)
     }
     repeated.sort_unstable();
     for face in repeated {
-        violations.add(Law::DistinctFaces, Element::Face(face));
+        violations.add(Law::DistinctFaces, Element::Face(list.face_in_file(face)));
     }
 }
 
