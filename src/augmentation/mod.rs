@@ -1,7 +1,7 @@
 //! Second stage: augmenting paths until the matching is perfect (Lemos et al., section 3.1).
 //!
 //! Both ways search for augmenting paths with Edmonds' alternating trees and blossoms
-//! ([`forest`]); they differ in where trees start and in what is forgotten after a path.
+//! (`forest.rs`); they differ in where trees start and in what is forgotten after a path.
 
 mod forest;
 mod local;
