@@ -201,11 +201,15 @@ impl<'g> Greedy<'g> {
         self.left -= 1;
     }
 
-    /// Relocates the neighbours of `f`, which has been finished.
+    /// Relocates the neighbours of `f`, which has been finished: each has lost a free edge.
     pub(super) fn lock_edges(&mut self, f: TriangleId) {
         for locked in self.graph.sides(f) {
-            if self.ranks.priority(locked) != Priority::Done {
-                self.relocate(locked);
+            match self.ranks.priority(locked) {
+                Priority::ThreeFree => self.relocate(locked),
+                Priority::TwoFreeToLowest | Priority::TwoFree => {
+                    self.enter(locked, Priority::AtMostOneFree)
+                }
+                Priority::AtMostOneFree | Priority::Done => {}
             }
         }
     }
