@@ -41,6 +41,13 @@ impl Matching {
     #[inline]
     pub fn pair(&mut self, f: TriangleId, g: TriangleId) {
         assert!(f != g && !self.is_paired(f) && !self.is_paired(g), "a triangle has one mate");
+        self.pair_unpaired(f, g);
+    }
+
+    /// Like [`Matching::pair`] where the caller knows that both are unpaired: nothing is read.
+    #[inline]
+    pub(crate) fn pair_unpaired(&mut self, f: TriangleId, g: TriangleId) {
+        debug_assert!(f != g && !self.is_paired(f) && !self.is_paired(g));
         self.mate[f] = g;
         self.mate[g] = f;
         self.unpaired -= 2;

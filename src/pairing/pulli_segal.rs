@@ -182,7 +182,7 @@ impl<'g> Greedy<'g> {
     }
 
     pub(super) fn pair(&mut self, f: TriangleId, g: TriangleId) {
-        self.matching.pair(f, g);
+        self.matching.pair_unpaired(f, g);
         self.finish(f);
         self.finish(g);
         self.lock_edges(f);
@@ -207,7 +207,7 @@ impl<'g> Greedy<'g> {
             match self.ranks.priority(locked) {
                 Priority::ThreeFree => self.relocate(locked),
                 Priority::TwoFreeToLowest | Priority::TwoFree => {
-                    self.enter(locked, Priority::AtMostOneFree)
+                    self.enter(locked, Priority::AtMostOneFree);
                 }
                 Priority::AtMostOneFree | Priority::Done => {}
             }
