@@ -10,6 +10,7 @@ use crate::triangulation::{Id, TriangleId, Triangulation};
 #[derive(Clone, Debug, PartialEq)]
 pub struct DualGraph {
     neighbours: Vec<[TriangleId; 3]>,
+    has_boundary: bool,
 }
 
 /// A list of edges that is no graph of maximum degree 3 without loops.
@@ -33,7 +34,8 @@ impl DualGraph {
     /// The dual graph of a triangulation: neighbour `i` of a triangle lies across its side `i`. O(n).
     pub fn of(triangulation: &Triangulation) -> Self {
         let (sides, _) = triangulation.twins().as_chunks::<3>();
-        Self { neighbours: sides.iter().map(|twins| twins.map(|twin| twin.triangle())).collect() }
+        let neighbours = sides.iter().map(|twins| twins.map(|twin| twin.triangle())).collect();
+        Self { neighbours, has_boundary: false }
     }
 
     /// A graph of `nodes` nodes, at most three edges each; parallel edges are allowed. O(n).
@@ -56,7 +58,8 @@ impl DualGraph {
                 *free.ok_or(NotADualGraph::Degree(from))? = TriangleId(to);
             }
         }
-        Ok(Self { neighbours })
+        let has_boundary = neighbours.as_flattened().contains(&TriangleId::NONE);
+        Ok(Self { neighbours, has_boundary })
     }
 
     /// Number of triangles.
@@ -88,6 +91,6 @@ impl DualGraph {
 
     /// Whether some triangle has a side without a neighbour.
     pub fn has_boundary(&self) -> bool {
-        self.neighbours.as_flattened().contains(&TriangleId::NONE)
+        self.has_boundary
     }
 }
