@@ -5,13 +5,17 @@
 //! Several components are allowed, each a closed surface; so are vertices that no triangle uses.
 
 mod build;
+mod contraction;
 mod euler;
 mod ids;
 mod laws;
+mod star;
 mod survey;
 
+pub use contraction::{LinkMarks, ShrinkingTriangulation, VertexSplit};
 pub use ids::{HalfEdgeId, Id, IdVec, TriangleId, VertexId};
 pub use laws::{Element, Law, Violation};
+pub use star::Spokes;
 pub use survey::Survey;
 
 /// A triangulation of one or more closed, oriented surfaces.

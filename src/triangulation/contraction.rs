@@ -1,0 +1,334 @@
+//! Edge contraction, its link condition, and the vertex split that undoes it
+//! (Ramaswami-Siqueira, section 4.5 and Algorithm 4.7; Lemos et al., section 3.3).
+//!
+//! A contraction rewrites nothing inside the two triangles that it removes: only the twins of the
+//! four half-edges round them change, and the origins of the spokes that move from one end to the
+//! other. The removed triangles thus remember their own surroundings, and one half-edge is all
+//! that a split needs. Departs from the paper, whose edge records have no counterpart here.
+
+use super::star::Spokes;
+use super::{HalfEdgeId, Id, IdVec, TriangleId, Triangulation, VertexId};
+
+/// A triangulation whose edges can be contracted, and the contractions undone last-in first-out.
+///
+/// Ids are kept: a contraction retires a vertex and two triangles, its split revives them, and
+/// nothing is renumbered in between. 24 bytes a triangle and 8 a vertex.
+#[derive(Clone, Debug)]
+pub struct ShrinkingTriangulation {
+    origin: IdVec<HalfEdgeId, VertexId>,
+    twin: IdVec<HalfEdgeId, HalfEdgeId>,
+    /// Some half-edge that leaves the vertex; none for retired and unreferenced vertices.
+    outgoing: IdVec<VertexId, HalfEdgeId>,
+    /// Number of edges at the vertex; that of a retired vertex means nothing.
+    degree: IdVec<VertexId, u32>,
+    vertices: usize,
+    components: usize,
+}
+
+/// Receipt of one contraction, undone last-in first-out; not `Clone`, so at most once.
+#[must_use = "without its receipt a contraction is permanent"]
+#[derive(Debug)]
+#[repr(transparent)]
+pub struct VertexSplit(HalfEdgeId);
+
+impl VertexSplit {
+    /// The half-edge that was contracted, from the end that stayed to the end that went.
+    pub fn half_edge(&self) -> HalfEdgeId {
+        self.0
+    }
+}
+
+/// The half-edges round edge `h` from u to v, named once for contraction and split.
+///
+/// ```text
+///            x                 triangle (h, a, b):  u -> v -> x
+///          ↗ | ↖               triangle (hp, c, d): v -> u -> y
+///     tb / b   a \ ta          ta, tb, tc, td are the twins of a, b, c, d:
+///      /  ---h-->  \           ta: x -> v,  tb: u -> x,  tc: y -> u,  td: v -> y
+///     u  <--hp---   v
+///      \           /
+///     tc \ c   d / td
+///          ↘ | ↙
+///            y
+/// ```
+struct Surroundings {
+    hp: HalfEdgeId,
+    a: HalfEdgeId,
+    b: HalfEdgeId,
+    c: HalfEdgeId,
+    d: HalfEdgeId,
+    ta: HalfEdgeId,
+    tb: HalfEdgeId,
+    tc: HalfEdgeId,
+    td: HalfEdgeId,
+}
+
+impl ShrinkingTriangulation {
+    /// Takes a triangulation over, with all its ids. O(n).
+    pub fn of(triangulation: Triangulation) -> Self {
+        let Triangulation { origin, twin, vertices, unreferenced, components } = triangulation;
+        let mut outgoing = IdVec::filled(HalfEdgeId::NONE, vertices);
+        let mut degree = IdVec::filled(0, vertices);
+        for (h, &v) in origin.as_slice().iter().enumerate() {
+            outgoing[v] = HalfEdgeId::new(h);
+            degree[v] += 1;
+        }
+        let vertices = vertices - unreferenced;
+        Self { origin, twin, outgoing, degree, vertices, components }
+    }
+
+    /// The vertex that half-edge `h` leaves.
+    #[inline]
+    pub fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.origin[h]
+    }
+
+    /// The vertex that half-edge `h` leads to.
+    #[inline]
+    pub fn destination(&self, h: HalfEdgeId) -> VertexId {
+        self.origin[h.next()]
+    }
+
+    /// The other side of the edge of `h`.
+    #[inline]
+    pub fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
+        self.twin[h]
+    }
+
+    /// Number of edges at `v`, which must not be retired.
+    #[inline]
+    pub fn degree(&self, v: VertexId) -> u32 {
+        self.degree[v]
+    }
+
+    /// Some half-edge that leaves `v`, or `None` if `v` is retired or in no triangle.
+    #[inline]
+    pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.outgoing[v].some()
+    }
+
+    /// Whether triangle `f` has not been removed by a contraction.
+    pub fn is_alive(&self, f: TriangleId) -> bool {
+        f.half_edges().iter().all(|&h| self.outgoing[self.origin[h]] != HalfEdgeId::NONE)
+    }
+
+    /// The half-edges that leave `v`, clockwise. O(deg v).
+    ///
+    /// # Panics
+    /// If `v` is retired or in no triangle.
+    pub fn spokes(&self, v: VertexId) -> Spokes<'_> {
+        let first = self.outgoing[v].some().expect("only a vertex in use has spokes");
+        Spokes::round(&self.twin, first)
+    }
+
+    /// Number of vertices left.
+    pub fn vertex_count(&self) -> usize {
+        self.vertices
+    }
+
+    /// Number of vertices of the triangulation it began as; vertex ids are below it.
+    pub fn vertex_id_count(&self) -> usize {
+        self.outgoing.len()
+    }
+
+    /// Number of half-edges of the triangulation it began as; half-edge ids are below it.
+    pub fn half_edge_id_count(&self) -> usize {
+        self.origin.len()
+    }
+
+    /// Whether the component of the edge of `h` is a tetrahedron, whose edges cannot be contracted
+    /// although they satisfy the link condition: the ends have degree 3 and so has what they share.
+    #[inline]
+    pub fn is_in_tetrahedron(&self, h: HalfEdgeId) -> bool {
+        self.degree[self.origin(h)] == 3 && self.degree[self.destination(h)] == 3
+    }
+
+    /// Whether contracting the edge of `h` keeps the surface: no vertex but the apexes of its two
+    /// triangles is joined to both ends, and the component is not the tetrahedron (Ramaswami-Siqueira,
+    /// section 2, *link condition*). O(deg u + deg v).
+    pub fn is_contractible(&self, h: HalfEdgeId, marks: &mut LinkMarks) -> bool {
+        let (u, v) = (self.origin(h), self.destination(h));
+        if self.degree[u] == 3 || self.degree[v] == 3 {
+            // A vertex of degree 3 has but one neighbour besides the apexes: the other end.
+            return !self.is_in_tetrahedron(h);
+        }
+        marks.renew();
+        for spoke in self.spokes(u) {
+            marks.set(self.destination(spoke));
+        }
+        let common = self.spokes(v).filter(|&spoke| marks.has(self.destination(spoke))).count();
+        debug_assert!(common >= 2, "the apexes are joined to both ends");
+        common == 2
+    }
+
+    /// Contracts the edge of `h` into the origin of `h`, retiring its destination and the two
+    /// triangles at the edge. O(deg v) for the vertex v that goes.
+    ///
+    /// # Panics
+    /// In debug builds, if the edge is retired or its component is a tetrahedron. The link
+    /// condition is the caller's to know: without it the result is no triangulation.
+    pub fn contract(&mut self, h: HalfEdgeId) -> VertexSplit {
+        debug_assert!(self.is_alive(h.triangle()) && self.twin[self.twin[h]] == h);
+        debug_assert!(!self.is_in_tetrahedron(h));
+        let e = self.surroundings(h);
+        let (u, v) = (self.origin[h], self.origin[e.hp]);
+        let (x, y) = (self.origin[e.b], self.origin[e.d]);
+        self.move_spokes(&e, u);
+        self.origin[e.td] = u;
+        self.join(e.ta, e.tb);
+        self.join(e.tc, e.td);
+        self.outgoing[u] = e.td;
+        self.outgoing[v] = HalfEdgeId::NONE;
+        self.outgoing[x] = e.ta;
+        self.outgoing[y] = e.tc;
+        self.degree[x] -= 1;
+        self.degree[y] -= 1;
+        self.degree[u] = self.degree[u] + self.degree[v] - 4;
+        self.vertices -= 1;
+        VertexSplit(h)
+    }
+
+    /// Undoes the last contraction that has not been undone: origins, twins and degrees are bit for
+    /// bit what they were. O(deg v).
+    ///
+    /// # Panics
+    /// In debug builds, if a later contraction has not been undone yet and shows.
+    pub fn split(&mut self, receipt: VertexSplit) {
+        let VertexSplit(h) = receipt;
+        let e = self.surroundings(h);
+        debug_assert!(self.twin[e.ta] == e.tb && self.twin[e.tc] == e.td, "not the last receipt");
+        let (u, v) = (self.origin[h], self.origin[e.hp]);
+        let (x, y) = (self.origin[e.b], self.origin[e.d]);
+        let moved = self.move_spokes(&e, v);
+        self.origin[e.td] = v;
+        self.join(e.ta, e.a);
+        self.join(e.tb, e.b);
+        self.join(e.tc, e.c);
+        self.join(e.td, e.d);
+        self.outgoing[u] = h;
+        self.outgoing[v] = e.hp;
+        self.outgoing[x] = e.b;
+        self.outgoing[y] = e.d;
+        self.degree[x] += 1;
+        self.degree[y] += 1;
+        self.degree[v] = moved + 3;
+        self.degree[u] = self.degree[u] + 4 - self.degree[v];
+        self.vertices += 1;
+    }
+
+    /// The spokes that the contraction of `receipt`, the last one, has moved to the end that stayed:
+    /// those to all former neighbours of the vertex that went, but the other end and the apexes.
+    pub fn moved_spokes(&self, receipt: &VertexSplit) -> Spokes<'_> {
+        let e = self.surroundings(receipt.0);
+        Spokes::between(&self.twin, e.ta.next(), e.td)
+    }
+
+    /// The vertices that are left, in order, and the triangulation that they and the triangles that
+    /// are left form, both renumbered in order. O(n).
+    pub fn survivors(&self) -> (Vec<VertexId>, Triangulation) {
+        let alive = |&v: &VertexId| self.outgoing[v] != HalfEdgeId::NONE;
+        let survivors: Vec<VertexId> = self.outgoing.ids().filter(alive).collect();
+        let mut renumbered = IdVec::filled(VertexId::NONE, self.outgoing.len());
+        for (new, &old) in survivors.iter().enumerate() {
+            renumbered[old] = VertexId::new(new);
+        }
+        let triangles = (0..self.origin.len() / 3).map(TriangleId::new);
+        let left: Vec<TriangleId> = triangles.filter(|&f| self.is_alive(f)).collect();
+        let mut place = IdVec::filled(0, self.origin.len() / 3);
+        for (new, &f) in left.iter().enumerate() {
+            place[f] = new as u32;
+        }
+        let sides = || left.iter().flat_map(|f| f.half_edges());
+        let origin: Vec<VertexId> = sides().map(|h| renumbered[self.origin[h]]).collect();
+        let moved = |h: HalfEdgeId| HalfEdgeId(3 * place[h.triangle()] + h.0 % 3);
+        let twin: Vec<HalfEdgeId> = sides().map(|h| moved(self.twin[h])).collect();
+        debug_assert_eq!(survivors.len(), self.vertices);
+        let triangulation = Triangulation {
+            origin: origin.into(),
+            twin: twin.into(),
+            vertices: survivors.len(),
+            unreferenced: 0,
+            components: self.components,
+        };
+        (survivors, triangulation)
+    }
+
+    /// Read from the two triangles at the edge, so that it is the same before and after.
+    #[inline]
+    fn surroundings(&self, h: HalfEdgeId) -> Surroundings {
+        let hp = self.twin[h];
+        let (a, b) = (h.next(), h.prev());
+        let (c, d) = (hp.next(), hp.prev());
+        let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.twin[side]);
+        Surroundings { hp, a, b, c, d, ta, tb, tc, td }
+    }
+
+    /// Hangs the spokes of v, but those to u, x and y, on `centre`; says how many there are.
+    #[inline]
+    fn move_spokes(&mut self, e: &Surroundings, centre: VertexId) -> u32 {
+        let mut moved = 0;
+        let mut g = e.ta.next();
+        while g != e.td {
+            self.origin[g] = centre;
+            moved += 1;
+            g = self.twin[g].next();
+        }
+        moved
+    }
+
+    #[inline]
+    fn join(&mut self, g: HalfEdgeId, h: HalfEdgeId) {
+        self.twin[g] = h;
+        self.twin[h] = g;
+    }
+}
+
+/// Marks on vertices that are wiped in O(1), for [`ShrinkingTriangulation::is_contractible`].
+#[derive(Clone, Debug)]
+pub struct LinkMarks {
+    stamp: IdVec<VertexId, u32>,
+    now: u32,
+}
+
+impl LinkMarks {
+    /// Unset marks for `vertices` vertices. O(n), 4 bytes a vertex.
+    pub fn new(vertices: usize) -> Self {
+        Self { stamp: IdVec::filled(0, vertices), now: 0 }
+    }
+
+    /// Unsets all marks.
+    #[inline]
+    fn renew(&mut self) {
+        if self.now == u32::MAX {
+            *self = Self::new(self.stamp.len());
+        }
+        self.now += 1;
+    }
+
+    #[inline]
+    fn set(&mut self, v: VertexId) {
+        self.stamp[v] = self.now;
+    }
+
+    #[inline]
+    fn has(&self, v: VertexId) -> bool {
+        self.stamp[v] == self.now
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn old_marks_do_not_come_back_when_the_clock_turns_over() {
+        let mut marks = LinkMarks::new(2);
+        let [one, other] = [VertexId(0), VertexId(1)];
+        marks.renew();
+        marks.set(one);
+        marks.now = u32::MAX;
+        marks.set(other);
+        marks.renew();
+        assert_eq!((marks.has(one), marks.has(other)), (false, false));
+    }
+}
