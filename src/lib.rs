@@ -27,6 +27,7 @@ mod disjoint_sets;
 pub mod dual;
 pub mod mesh;
 pub mod pairing;
+mod prefetch;
 pub mod quadrangulation;
 pub mod random;
 pub mod triangulation;

@@ -43,7 +43,11 @@ fn exhaustive(nodes: usize, edges: &Edges) -> usize {
 /// Starting points for augmentation: nothing, and what the greedy algorithms leave.
 fn initial_matchings(graph: &DualGraph) -> [Matching; 3] {
     let random = &mut Random::stream(graph.len() as u64, &["start"]);
-    [Matching::empty(graph.len()), simple_greedy(graph, random), pulli_segal(graph, Some(random))]
+    [
+        Matching::empty(graph.len()),
+        simple_greedy(graph, random),
+        pulli_segal(&mut graph.clone(), Some(random)),
+    ]
 }
 
 /// Both augmentations reach `expected` pairs from every start, and report what they did.

@@ -119,8 +119,7 @@ struct Tree {
 }
 
 /// Alternating trees over the triangles of a dual graph. 24 bytes for each triangle ever visited.
-pub(super) struct Forest<'g> {
-    graph: &'g DualGraph,
+pub(super) struct Forest {
     nodes: Vec<Node>,
     trees: Vec<Tree>,
     clock: u32,
@@ -130,12 +129,12 @@ pub(super) struct Forest<'g> {
     segments: Vec<(TriangleId, TriangleId)>,
 }
 
-impl<'g> Forest<'g> {
-    /// The empty forest.
-    pub(super) fn new(graph: &'g DualGraph) -> Self {
-        let nodes = bytemuck::zeroed_vec(graph.len());
+impl Forest {
+    /// The empty forest over `triangles` triangles; takes memory only as far as it is used.
+    pub(super) fn new(triangles: usize) -> Self {
+        let nodes = bytemuck::zeroed_vec(triangles);
         let (path, segments) = (Vec::new(), Vec::new());
-        Self { graph, nodes, trees: vec![Self::no_tree()], clock: 0, visited: 0, path, segments }
+        Self { nodes, trees: vec![Self::no_tree()], clock: 0, visited: 0, path, segments }
     }
 
     fn no_tree() -> Tree {
@@ -259,6 +258,7 @@ impl<'g> Forest<'g> {
     #[inline]
     pub(super) fn shrink(
         &mut self,
+        graph: &DualGraph,
         matching: &Matching,
         tree: TreeId,
         x: TriangleId,
@@ -269,7 +269,7 @@ impl<'g> Forest<'g> {
             return;
         }
         let base = self.common_base(matching, x, y);
-        let back = self.graph.sides(y).into_iter().position(|z| z == x);
+        let back = graph.sides(y).into_iter().position(|z| z == x);
         let back = back.expect("neighbours are mutual");
         for (end, side) in [(x, side), (y, back)] {
             let bridge = (3 * end.index() + side) as u32;
@@ -326,6 +326,7 @@ impl<'g> Forest<'g> {
     /// path's length in edges.
     pub(super) fn augment(
         &mut self,
+        graph: &DualGraph,
         matching: &mut Matching,
         x: TriangleId,
         y: TriangleId,
@@ -334,7 +335,7 @@ impl<'g> Forest<'g> {
         self.path.push((x, y));
         for end in [x, y] {
             match self.place(end) {
-                Place::Outer(tree) => self.collect_way_to_root(matching, tree, end),
+                Place::Outer(tree) => self.collect_way_to_root(graph, matching, tree, end),
                 _ => self.visited += 1,
             }
         }
@@ -345,7 +346,13 @@ impl<'g> Forest<'g> {
     /// Collects the unmatched edges of the even alternating path from the outer triangle `from` to its
     /// root. Where the path runs round a blossom, the part between the bridge and the triangle is
     /// another such path, put on a stack; the order of the edges does not matter.
-    fn collect_way_to_root(&mut self, matching: &Matching, tree: TreeId, from: TriangleId) {
+    fn collect_way_to_root(
+        &mut self,
+        graph: &DualGraph,
+        matching: &Matching,
+        tree: TreeId,
+        from: TriangleId,
+    ) {
         self.segments.push((from, TriangleId(self.trees[tree.0 as usize].root)));
         while let Some((mut v, end)) = self.segments.pop() {
             while v != end {
@@ -353,7 +360,7 @@ impl<'g> Forest<'g> {
                 let node = &self.nodes[v.index()];
                 if node.label_and_mark & LABEL == BLOSSOMED {
                     let near = TriangleId(node.bridge / 3);
-                    let far = self.graph.sides(near)[node.bridge as usize % 3];
+                    let far = graph.sides(near)[node.bridge as usize % 3];
                     self.segments.push((near, mate));
                     self.path.push((near, far));
                     v = far;

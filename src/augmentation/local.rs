@@ -45,7 +45,7 @@ fn augment_with_patience(
 ) -> AugmentationStats {
     let mut search = Search {
         graph,
-        forest: Forest::new(graph),
+        forest: Forest::new(graph.len()),
         stats: AugmentationStats::default(),
         patience,
         fencing: false,
@@ -64,7 +64,7 @@ fn augment_with_patience(
 
 struct Search<'g> {
     graph: &'g DualGraph,
-    forest: Forest<'g>,
+    forest: Forest,
     stats: AugmentationStats,
     /// Number of visits after which trees are fenced.
     patience: usize,
@@ -110,7 +110,7 @@ impl Search<'_> {
         self.forest.retry_barred(tree);
         while let Some(v) = self.forest.next_to_scan(tree) {
             if let Some((w, other)) = self.scan(matching, tree, v) {
-                self.stats.add_path(self.forest.augment(matching, v, w));
+                self.stats.add_path(self.forest.augment(self.graph, matching, v, w));
                 [tree, other].into_iter().for_each(|tree| self.retire(tree));
                 on_path();
                 return;
@@ -154,7 +154,7 @@ impl Search<'_> {
                     forest.grow(tree, v, w, mate);
                 }
                 Place::Outer(other) if other != tree => return Some((w, other)),
-                Place::Outer(_) => forest.shrink(matching, tree, v, side, w),
+                Place::Outer(_) => forest.shrink(self.graph, matching, tree, v, side, w),
             }
         }
         if barred {

@@ -71,26 +71,26 @@ impl AugmentationStats {
 }
 
 /// Pairs single triangles by short augmenting paths while a pairing is still being made.
-pub(crate) struct Rescue<'g> {
-    graph: &'g DualGraph,
-    forest: Forest<'g>,
+pub(crate) struct Rescue {
+    forest: Forest,
 }
 
-impl<'g> Rescue<'g> {
-    /// For matchings in `graph`; takes memory only as far as it is used.
-    pub(crate) fn new(graph: &'g DualGraph) -> Self {
-        Self { graph, forest: Forest::new(graph) }
+impl Rescue {
+    /// For matchings of `triangles` triangles; takes memory only as far as it is used.
+    pub(crate) fn new(triangles: usize) -> Self {
+        Self { forest: Forest::new(triangles) }
     }
 
     /// Pairs the unpaired triangle `f` by an augmenting path to the nearest other unpaired one, which
     /// is returned, unless that takes a search of more than `limit` triangles.
     pub(crate) fn pair(
         &mut self,
+        graph: &DualGraph,
         matching: &mut Matching,
         f: TriangleId,
         limit: usize,
     ) -> Option<TriangleId> {
-        augment_from(f, self.graph, &mut self.forest, matching, limit).map(|path| path.end)
+        augment_from(f, graph, &mut self.forest, matching, limit).map(|path| path.end)
     }
 }
 

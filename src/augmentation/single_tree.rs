@@ -19,7 +19,7 @@ pub(super) struct Augmented {
 pub(super) fn augment_from(
     root: TriangleId,
     graph: &DualGraph,
-    forest: &mut Forest<'_>,
+    forest: &mut Forest,
     matching: &mut Matching,
     limit: usize,
 ) -> Option<Augmented> {
@@ -36,10 +36,10 @@ pub(super) fn augment_from(
             }
             match (forest.place(w), matching.mate(w)) {
                 (Place::Inner(_), _) => {}
-                (Place::Outer(_), _) => forest.shrink(matching, tree, v, side, w),
+                (Place::Outer(_), _) => forest.shrink(graph, matching, tree, v, side, w),
                 (Place::Free, Some(mate)) => forest.grow(tree, v, w, mate),
                 (Place::Free, None) => {
-                    let length = forest.augment(matching, v, w);
+                    let length = forest.augment(graph, matching, v, w);
                     found = Some(Augmented { length, end: w });
                     break;
                 }

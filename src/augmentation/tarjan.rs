@@ -16,7 +16,7 @@ pub(super) fn augment(
     on_path: &mut dyn FnMut(),
 ) -> AugmentationStats {
     let mut stats = AugmentationStats::default();
-    let mut forest = Forest::new(graph);
+    let mut forest = Forest::new(graph.len());
     let roots: Vec<TriangleId> = matching.unpaired().collect();
     for root in roots {
         if matching.is_paired(root) {

@@ -1,16 +1,38 @@
 //! The dual graph: a node for each triangle, joined to those across its three edges.
 
 use crate::mesh::MAX_CORNERS;
-use crate::triangulation::{Id, TriangleId, Triangulation};
+use crate::prefetch::prefetch;
+use crate::triangulation::{HalfEdgeId, Id, TriangleId, Triangulation};
 
 /// For each triangle its three neighbours, or none where there is a boundary.
 ///
-/// Needs no orientation and no vertices; all that matching has to know. 12 bytes a triangle.
+/// Needs no orientation and no vertices; all that matching has to know. 16 bytes a triangle.
 /// On a closed surface the graph is 3-regular and, as the triangulation is simple, bridgeless.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DualGraph {
-    neighbours: Vec<[TriangleId; 3]>,
+    rows: Vec<Row>,
     has_boundary: bool,
+}
+
+/// What is read of a triangle, in one line of the cache.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(16))]
+struct Row {
+    sides: [TriangleId; 3],
+    /// A number that an algorithm keeps with the triangle while it runs; no part of the graph.
+    note: u32,
+}
+
+impl Row {
+    fn new(sides: [TriangleId; 3]) -> Self {
+        Self { sides, note: 0 }
+    }
+}
+
+impl PartialEq for Row {
+    fn eq(&self, other: &Self) -> bool {
+        self.sides == other.sides
+    }
 }
 
 /// A list of edges that is no graph of maximum degree 3 without loops.
@@ -34,8 +56,8 @@ impl DualGraph {
     /// The dual graph of a triangulation: neighbour `i` of a triangle lies across its side `i`. O(n).
     pub fn of(triangulation: &Triangulation) -> Self {
         let (sides, _) = triangulation.twins().as_chunks::<3>();
-        let neighbours = sides.iter().map(|twins| twins.map(|twin| twin.triangle())).collect();
-        Self { neighbours, has_boundary: false }
+        let row = |twins: &[HalfEdgeId; 3]| Row::new(twins.map(|twin| twin.triangle()));
+        Self { rows: sides.iter().map(row).collect(), has_boundary: false }
     }
 
     /// A graph of `nodes` nodes, at most three edges each; parallel edges are allowed. O(n).
@@ -59,17 +81,17 @@ impl DualGraph {
             }
         }
         let has_boundary = neighbours.as_flattened().contains(&TriangleId::NONE);
-        Ok(Self { neighbours, has_boundary })
+        Ok(Self { rows: neighbours.into_iter().map(Row::new).collect(), has_boundary })
     }
 
     /// Number of triangles.
     pub fn len(&self) -> usize {
-        self.neighbours.len()
+        self.rows.len()
     }
 
     /// Whether there is no triangle.
     pub fn is_empty(&self) -> bool {
-        self.neighbours.is_empty()
+        self.rows.is_empty()
     }
 
     /// All triangles in order.
@@ -80,7 +102,7 @@ impl DualGraph {
     /// The triangles across the three sides of `f`; [`TriangleId::NONE`] across a boundary.
     #[inline]
     pub fn sides(&self, f: TriangleId) -> [TriangleId; 3] {
-        self.neighbours[f.index()]
+        self.rows[f.index()].sides
     }
 
     /// The triangles that share an edge with `f`, in the order of its sides.
@@ -92,5 +114,28 @@ impl DualGraph {
     /// Whether some triangle has a side without a neighbour.
     pub fn has_boundary(&self) -> bool {
         self.has_boundary
+    }
+
+    /// Sets the notes of all triangles.
+    pub(crate) fn set_notes(&mut self, note: u32) {
+        self.rows.iter_mut().for_each(|row| row.note = note);
+    }
+
+    /// Sets the note of `f`.
+    #[inline]
+    pub(crate) fn set_note(&mut self, f: TriangleId, note: u32) {
+        self.rows[f.index()].note = note;
+    }
+
+    /// The note of `f`; none for [`TriangleId::NONE`].
+    #[inline]
+    pub(crate) fn note(&self, f: TriangleId) -> Option<u32> {
+        self.rows.get(f.index()).map(|row| row.note)
+    }
+
+    /// Has the cache fetch the sides and notes of the neighbours of `f`.
+    #[inline]
+    pub(crate) fn prefetch_around(&self, f: TriangleId) {
+        self.sides(f).into_iter().for_each(|g| prefetch(&self.rows, g.index()));
     }
 }

@@ -64,11 +64,11 @@ impl Algorithm {
         triangulation: &'t Triangulation,
         random: &mut Random,
     ) -> InitialPairing<'t> {
-        let dual = DualGraph::of(triangulation);
+        let mut dual = DualGraph::of(triangulation);
         let matching = match self {
-            Self::Triquad => triquad(&dual),
+            Self::Triquad => triquad(&mut dual),
             Self::SimpleGreedy => simple_greedy(&dual, random),
-            Self::PulliSegal => pulli_segal(&dual, Some(random)),
+            Self::PulliSegal => pulli_segal(&mut dual, Some(random)),
         };
         debug_assert!(matching.is_matching_of(&dual));
         InitialPairing {

@@ -16,16 +16,16 @@ const SEARCH_LIMIT: usize = 8000;
 /// each that would be left alone by an augmenting path to the nearest unpaired one.
 ///
 /// O(n) time; what it leaves unpaired, if anything, are a few triangles where the rings meet.
-pub fn triquad(graph: &DualGraph) -> Matching {
+pub fn triquad(graph: &mut DualGraph) -> Matching {
+    let mut rescue = Rescue::new(graph.len());
     let mut greedy = Greedy::new(graph, None);
-    let mut rescue = Rescue::new(graph);
     while let Some(f) = greedy.next() {
         if let Some(g) = greedy.best_neighbour(f) {
             greedy.pair(f, g);
             continue;
         }
         greedy.leave_alone(f);
-        if let Some(end) = rescue.pair(&mut greedy.matching, f, SEARCH_LIMIT)
+        if let Some(end) = rescue.pair(greedy.graph, &mut greedy.matching, f, SEARCH_LIMIT)
             && !greedy.is_done(end)
         {
             greedy.finish(end);
