@@ -15,6 +15,7 @@
 //! | [`pairing`] | initial pairings: SG, PS, ours | section 3 |
 //! | [`quadrangulation`] | the quads, and a check that trusts nothing | section 2 |
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |
+//! | `report` | pictures of meshes (feature `report`) | figures |
 //!
 //! A module uses only what stands above it. One type per stage is the proof that the stage before
 //! was done: `FaceList → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.
@@ -30,6 +31,8 @@ pub mod pairing;
 mod prefetch;
 pub mod quadrangulation;
 pub mod random;
+#[cfg(feature = "report")]
+pub mod report;
 pub mod triangulation;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum, make_perfect};

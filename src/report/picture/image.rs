@@ -1,0 +1,60 @@
+//! Pixels, and the file that they go to.
+
+use std::io;
+use std::path::Path;
+
+use crate::atomic_file::AtomicFile;
+
+/// An image; rows from top to bottom, pixels from left to right.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    width: usize,
+    height: usize,
+    pixels: Vec<[u8; 4]>,
+}
+
+impl Image {
+    /// An image of the given rows, one after the other.
+    pub(super) fn new(width: usize, pixels: Vec<[u8; 4]>) -> Self {
+        debug_assert!(width > 0 && pixels.len().is_multiple_of(width));
+        Self { width, height: pixels.len() / width, pixels }
+    }
+
+    /// Pixels in a row.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Number of rows.
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// Red, green, blue and opacity of all pixels, row after row; colour is not multiplied by opacity.
+    pub fn pixels(&self) -> &[[u8; 4]] {
+        &self.pixels
+    }
+
+    /// The pixel `x` from the left and `y` from the top.
+    ///
+    /// # Panics
+    /// If the image has no such pixel.
+    pub fn pixel(&self, x: usize, y: usize) -> [u8; 4] {
+        assert!(x < self.width, "column {x} of an image of width {}", self.width);
+        self.pixels[y * self.width + x]
+    }
+
+    /// Writes the image as PNG; the file appears when it is complete.
+    ///
+    /// # Errors
+    /// Those of the file system; nothing is left behind then.
+    pub fn write_png(&self, path: &Path) -> io::Result<()> {
+        let mut file = AtomicFile::create(path)?;
+        let mut encoder = png::Encoder::new(&mut file, self.width as u32, self.height as u32);
+        encoder.set_color(png::ColorType::Rgba);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(self.pixels.as_flattened())?;
+        writer.finish()?;
+        file.commit()
+    }
+}
