@@ -5,14 +5,14 @@ use super::vector::{Vector, dot, unit};
 /// Lamps in view coordinates, with the share that each adds to a face turned to it: the key light
 /// from above on the left, a fill light from the right, one at the eye, one from below.
 const LAMPS: [(Vector, f64); 4] = [
-    ([-0.45, 0.70, 0.55], 0.62),
-    ([0.80, 0.15, 0.45], 0.20),
-    ([0.00, 0.00, 1.00], 0.22),
-    ([0.10, -0.90, 0.20], 0.07),
+    ([-0.45, 0.70, 0.55], 0.78),
+    ([0.80, 0.15, 0.45], 0.24),
+    ([0.00, 0.00, 1.00], 0.24),
+    ([0.10, -0.90, 0.20], 0.09),
 ];
 
 /// Light that comes from everywhere.
-const AMBIENT: f64 = 0.13;
+const AMBIENT: f64 = 0.16;
 
 /// The colour of a face of the given colour and unit normal, turned to the eye, in view coordinates.
 pub fn lit(colour: [u8; 3], normal: Vector) -> [u8; 3] {

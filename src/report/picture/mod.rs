@@ -162,7 +162,7 @@ impl<'a> Picture<'a> {
             camera: Camera::default(),
             section: None,
             background: Some([255; 3]),
-            front: [214, 222, 233],
+            front: [218, 225, 234],
             back: [230, 150, 96],
             depth_shade: 0.85,
             lines: Lines::default(),

@@ -15,6 +15,9 @@ const DIRECTIONS: [[f32; 2]; 8] = [
 /// How far to look, in shares of the longer side of the image.
 const STEPS: [f32; 6] = [0.0018, 0.004, 0.008, 0.015, 0.026, 0.042];
 
+/// A slope that stands for a fall without end.
+const CLIFF: f32 = -8.0;
+
 /// Hidden share of the sky for each pixel, 0 to 1, from the nearness of all pixels (in pixels; minus
 /// infinity where nothing is). O(pixels).
 ///
@@ -22,35 +25,47 @@ const STEPS: [f32; 6] = [0.0018, 0.004, 0.008, 0.015, 0.026, 0.042];
 /// other; a plane, however tilted, rises on one side by what it falls on the other and hides nothing.
 pub fn occlusion(near: &[f32], [width, height]: [usize; 2]) -> Vec<f32> {
     let longer = width.max(height) as f32;
-    let steps = STEPS.map(|step| (step * longer).max(1.0));
+    let lines = DIRECTIONS.map(|[x, y]| {
+        [[x, y], [-x, -y]].map(|way| STEPS.map(|step| Step::new(way, (step * longer).max(1.0))))
+    });
+    let reach = STEPS[STEPS.len() - 1] * longer;
     let hidden = |at: usize| {
         if near[at] == f32::NEG_INFINITY {
             return 0.0;
         }
-        let (x, y) = ((at % width) as f32, (at / width) as f32);
-        let rise = |[dx, dy]: [f32; 2], step: f32| {
-            let (x, y) = ((x + dx * step).round(), (y + dy * step).round());
-            let inside = x >= 0.0 && y >= 0.0 && x < width as f32 && y < height as f32;
-            let there = if inside { near[y as usize * width + x as usize] } else { near[at] };
-            sine(there - near[at], step, steps[STEPS.len() - 1])
+        let (x, y) = (at % width, at / width);
+        let slope = |step: &Step| {
+            let to = [x.wrapping_add_signed(step.x), y.wrapping_add_signed(step.y)];
+            // What lies outside the image is as high as this pixel.
+            let inside = to[0] < width && to[1] < height;
+            let rise = if inside { near[to[1] * width + to[0]] - near[at] } else { 0.0 };
+            // What rises far beyond reach is something else in front, and hides little.
+            let fades = rise > reach;
+            (if fades { reach * reach / rise } else { rise }) * step.over_length
         };
-        let along = |[dx, dy]: [f32; 2]| {
-            let highest = |[dx, dy]: [f32; 2]| {
-                steps.iter().fold(-1.0, |most: f32, &step| most.max(rise([dx, dy], step)))
-            };
-            (highest([dx, dy]) + highest([-dx, -dy])).max(0.0) / 2.0
-        };
-        DIRECTIONS.into_iter().map(along).sum::<f32>() / DIRECTIONS.len() as f32
+        let highest = |way: &[Step; 6]| sine(way.iter().map(slope).fold(CLIFF, f32::max));
+        let along = |[one, other]: &[[Step; 6]; 2]| (highest(one) + highest(other)).max(0.0) / 2.0;
+        lines.iter().map(along).sum::<f32>() / DIRECTIONS.len() as f32
     };
     (0..near.len()).map(hidden).collect()
 }
 
-/// Sine of the angle to a point `rise` above and `run` away; what rises far beyond `reach` is
-/// something else in front and hides little.
-fn sine(rise: f32, run: f32, reach: f32) -> f32 {
-    if rise == f32::NEG_INFINITY {
-        return -1.0;
+/// From a pixel to one that it is compared with.
+#[derive(Clone, Copy)]
+struct Step {
+    x: isize,
+    y: isize,
+    over_length: f32,
+}
+
+impl Step {
+    fn new(way: [f32; 2], length: f32) -> Self {
+        let [x, y] = way.map(|part| (part * length).round());
+        Self { x: x as isize, y: y as isize, over_length: 1.0 / (x * x + y * y).sqrt() }
     }
-    let sine = rise / (rise * rise + run * run).sqrt();
-    if rise > reach { sine * (reach / rise) } else { sine }
+}
+
+/// Sine of the angle of a slope.
+fn sine(slope: f32) -> f32 {
+    slope / (1.0 + slope * slope).sqrt()
 }
