@@ -1,9 +1,10 @@
 //! Where a mesh is seen from, and the map from its coordinates to the screen.
 
 use super::PictureError;
-use super::vector::{Vector, cross, dot, minus, scaled, unit};
+use super::vector::{Vector, cross, dot, minus, unit};
 
-/// Where the eye is and what it looks at. The mesh is fitted to the image, whatever its size.
+/// Where the eye is and what it looks at. The mesh, or what a section leaves of it,
+/// is fitted to the image whatever its size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     /// From the mesh to the eye; the length does not matter.
@@ -13,7 +14,7 @@ pub struct Camera {
     /// Distance of the eye from the middle of the bounding box in half diagonals of the box, more
     /// than 1; None looks from infinity, so that parallel lines stay parallel.
     pub distance: Option<f64>,
-    /// The point in the middle of the image; None is the middle of what the mesh covers.
+    /// The point in the middle of the image; None is the middle of what is seen.
     pub target: Option<[f64; 3]>,
     /// Enlargement; at 1 the whole mesh fits.
     pub zoom: f64,
@@ -87,38 +88,45 @@ pub struct Projection {
 }
 
 impl Projection {
-    /// Fits `points` to a screen of `size` samples. O(n), two passes.
-    pub fn fit(
+    /// The view of a mesh with the given vertices, not yet fitted to a screen. O(n).
+    pub fn new(
         camera: &Camera,
-        points: impl Iterator<Item = Vector> + Clone,
-        size: [usize; 2],
+        vertices: impl Iterator<Item = Vector>,
     ) -> Result<Self, PictureError> {
         camera.check()?;
         let axes = camera.axes().ok_or(PictureError::Camera("the direction is zero"))?;
-        let (low, high) = bounds(points.clone());
+        let (low, high) = bounds(vertices);
         let half = [0, 1, 2].map(|i| high[i] / 2.0 - low[i] / 2.0);
         // A mesh that is a single point has no extent to be divided by.
         let most = half.iter().fold(0.0, |most: f64, &x| most.max(x));
         let half_extent = if most > 0.0 { most } else { 1.0 };
         let shape = half.map(|x| x / half_extent);
         let radius = dot(shape, shape).sqrt();
-        let mut map = Self {
+        Ok(Self {
             centre: [0, 1, 2].map(|i| low[i] / 2.0 + high[i] / 2.0),
             half_extent,
             axes,
             distance: camera.distance.map_or(f64::INFINITY, |distance| distance * radius),
             scale: 1.0,
             origin: [0.0; 2],
-        };
-        let (low, high) = bounds(points.map(|point| map.screen(map.view(point))));
-        let target = camera.target.map(|target| map.screen(map.view(target)));
+        })
+    }
+
+    /// Least and greatest screen coordinates of points in view coordinates. O(n).
+    pub fn screen_bounds(&self, points: impl Iterator<Item = Vector>) -> (Vector, Vector) {
+        bounds(points.map(|point| self.screen(point)))
+    }
+
+    /// Fits what has the given bounds, unfitted, to a screen of `size` samples.
+    pub fn fit(&mut self, camera: &Camera, (low, high): (Vector, Vector), size: [usize; 2]) {
+        let target = camera.target.map(|target| self.screen(self.view(target)));
         let middle = target.unwrap_or([0, 1, 2].map(|i| (low[i] + high[i]) / 2.0));
         let free = 1.0 - 2.0 * camera.margin;
         let fits = |i: usize| size[i] as f64 * free / (high[i] - low[i]);
         let scale = camera.zoom * fits(0).min(fits(1));
-        map.scale = if scale.is_finite() { scale } else { 1.0 };
-        map.origin = [0, 1].map(|i| size[i] as f64 / 2.0 - map.scale * middle[i]);
-        Ok(map)
+        // Nothing to be fitted is shown in any scale.
+        self.scale = if scale.is_finite() { scale } else { 1.0 };
+        self.origin = [0, 1].map(|i| size[i] as f64 / 2.0 - self.scale * middle[i]);
     }
 
     /// View coordinates of a point of the mesh.
@@ -159,7 +167,7 @@ impl Projection {
         if self.distance == f64::INFINITY {
             [0.0, 0.0, 1.0]
         } else {
-            minus([0.0, 0.0, self.distance], scaled(point, 1.0))
+            minus([0.0, 0.0, self.distance], point)
         }
     }
 }

@@ -178,11 +178,7 @@ impl<'a> Picture<'a> {
         let size = self.size_in_samples()?;
         self.check_style()?;
         let used = self.vertices_used()?;
-        let points = self.mesh.positions.iter().zip(&used);
-        let points = points.filter(|&(_, &used)| used).map(|(&point, _)| point);
-        let projection = Projection::fit(&self.camera, points, size)?;
-        let cut = self.section.as_ref().map(|section| Cut::new(section, &projection));
-        let cut = cut.transpose()?;
+        let (projection, cut) = self.view(&used, size)?;
         let mut canvas = Canvas::new(size);
         faces::paint(self, &projection, cut.as_ref(), &mut canvas);
         self.draw_lines(&projection, cut.as_ref(), &mut canvas);
@@ -193,6 +189,32 @@ impl<'a> Picture<'a> {
             depth_shade: self.depth_shade,
         };
         Ok(finish.image(&canvas))
+    }
+
+    /// The view of the vertices used, fitted to what the section leaves of the faces.
+    fn view(
+        &self,
+        used: &[bool],
+        size: [usize; 2],
+    ) -> Result<(Projection, Option<Cut>), PictureError> {
+        let positions = self.mesh.positions.iter().zip(used);
+        let vertices = positions.filter(|&(_, &used)| used).map(|(&position, _)| position);
+        let mut projection = Projection::new(&self.camera, vertices.clone())?;
+        let Some(section) = &self.section else {
+            let bounds = projection.screen_bounds(vertices.map(|vertex| projection.view(vertex)));
+            projection.fit(&self.camera, bounds, size);
+            return Ok((projection, None));
+        };
+        let cut = Cut::new(section, &projection)?;
+        let sides = self.mesh.faces.iter().flat_map(|face| {
+            (0..face.len()).map(|i| [face[i], face[if i + 1 == face.len() { 0 } else { i + 1 }]])
+        });
+        let segments =
+            sides.map(|side| side.map(|v| projection.view(self.mesh.positions[v as usize])));
+        let left = segments.filter_map(|segment| cut.clip_segment(segment)).flatten();
+        let bounds = projection.screen_bounds(left);
+        projection.fit(&self.camera, bounds, size);
+        Ok((projection, Some(cut)))
     }
 
     fn draw_lines(&self, projection: &Projection, cut: Option<&Cut>, canvas: &mut Canvas) {

@@ -6,10 +6,6 @@ pub fn minus(a: Vector, b: Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-pub fn scaled(a: Vector, by: f64) -> Vector {
-    a.map(|x| x * by)
-}
-
 pub fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
