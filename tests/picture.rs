@@ -1,13 +1,10 @@
 //! Pictures: what is covered, what hides what, and that nothing else comes into it.
 #![cfg(feature = "report")]
 
-mod common;
-
-use common::face_list;
 use proptest::prelude::*;
 use triquad::mesh::{FaceList, Faces};
 use triquad::report::picture::{Camera, Image, Lines, Picture, PictureError, Section};
-use triquad_generators::{classic, grids};
+use triquad_generators::{Surface, classic, grids};
 
 const RED: [u8; 3] = [200, 20, 20];
 const GREEN: [u8; 3] = [20, 200, 20];
@@ -47,6 +44,10 @@ fn polygons(positions: Vec<[f64; 3]>, faces: &[Vec<u32>]) -> FaceList {
     list
 }
 
+fn face_list(surface: Surface) -> FaceList {
+    FaceList::from_triangles(surface.positions, surface.triangles)
+}
+
 /// Covered area in pixels.
 fn area(image: &Image) -> f64 {
     image.pixels().iter().map(|pixel| f64::from(pixel[3]) / 255.0).sum()
@@ -63,7 +64,7 @@ fn brightness(image: &Image) -> f64 {
 
 #[test]
 fn a_sphere_covers_a_disc() {
-    let sphere = face_list(&grids::sphere(60));
+    let sphere = face_list(grids::sphere(60));
     for (distance, samples) in [(None, 1), (None, 4), (Some(3.0), 3)] {
         let mut picture = plain(&sphere, [0.3, 0.5, 1.0]);
         picture.camera.distance = distance;
@@ -110,9 +111,10 @@ fn the_front_hides_the_back_in_any_order() {
             (red, green)
         };
         let (red, green) = seen(1.0);
-        assert!(red > 4 * green);
+        assert!(red / 4 > green);
         // From below it is the other square that is seen, from behind.
-        assert!((seen(-1.0).0 as i32 - 230).abs() < 60);
+        let (red, green) = seen(-1.0);
+        assert!(red > green && green > 40);
     }
 }
 
@@ -121,7 +123,7 @@ fn edges_are_seen_in_front_and_not_behind() {
     let lines = Lines { colour: [0; 3], opacity: 1.0, width: 2.0, ..Lines::default() };
     // A small square above or below a large one.
     for (height, visible) in [(0.1, true), (-0.1, false)] {
-        for (distance, width) in [(None, 2.0), (Some(3.0), 2.0), (Some(3.0), 0.0)] {
+        for (distance, width) in [(None, 3.0), (Some(3.0), 3.0), (Some(3.0), 0.0)] {
             let mesh = squares(&[(1.0, 0.0), (0.5, height)]);
             let mut picture = plain(&mesh, [0.2, 0.1, 1.0]);
             picture.camera.distance = distance;
@@ -130,8 +132,8 @@ fn edges_are_seen_in_front_and_not_behind() {
             let dark = |x: usize, y: usize| image.pixel(x, y)[0] < 60 && image.pixel(x, y)[3] > 0;
             let inside = (30..170).flat_map(|y| (30..170).map(move |x| (x, y)));
             let count = inside.filter(|&(x, y)| dark(x, y)).count();
-            // Four sides of about 90 pixels each, two wide; of width 0 there are none.
-            let expected = if visible && width > 0.0 { 500..1000 } else { 0..1 };
+            // Four sides of about 90 pixels each, three wide; of width 0 there are none.
+            let expected = if visible && width > 0.0 { 600..1300 } else { 0..1 };
             assert!(expected.contains(&count), "{count} dark pixels at height {height}");
         }
     }
@@ -165,14 +167,14 @@ fn highlighted_edges_have_their_colour_and_hide_too() {
         let highlights = [diagonal];
         let picture = Picture { highlights: &highlights, ..plain(&mesh, [0.0, 0.0, 1.0]) };
         let [red, green, ..] = picture.draw().unwrap().pixel(100, 100);
-        assert_eq!(red > 2 * green, visible);
+        assert_eq!(red / 2 > green, visible);
     }
 }
 
 #[test]
 fn edges_of_a_dense_mesh_do_not_blacken_it() {
     let darkening = |rows: u32| {
-        let sphere = face_list(&grids::sphere(rows));
+        let sphere = face_list(grids::sphere(rows));
         let faces = plain(&sphere, [0.0, 0.3, 1.0]);
         let lines = Lines { opacity: 1.0, colour: [0; 3], ..Lines::default() };
         let both = Picture { lines, ..faces.clone() };
@@ -194,7 +196,7 @@ fn a_section_shows_the_inside_and_cuts_faces_exactly() {
 
     picture.section = Some(Section { point: [0.3, 0.0, 0.0], normal: [1.0, 0.0, 0.0] });
     let cut = picture.draw().unwrap();
-    assert_near(area(&cut), 0.65 * 180.0 * 180.0, 1e-6);
+    assert_near(area(&cut), 0.65 * 180.0 * 180.0, 1e-4);
     picture.section = Some(Section { point: [0.0; 3], normal: [1.0, 1.0, 0.0] });
     assert_near(area(&picture.draw().unwrap()), 180.0 * 180.0 / 2.0, 0.01);
     // Nothing left is an empty picture.
@@ -244,7 +246,7 @@ fn hollows_are_darker_and_plains_are_not() {
 
 #[test]
 fn equal_pictures_are_equal_bytes_and_read_back() {
-    let mesh = face_list(&grids::torus(40, 20));
+    let mesh = face_list(grids::torus(40, 20));
     let folder = tempfile::tempdir().unwrap();
     let draw = |name: &str| {
         let background = None;
@@ -267,7 +269,7 @@ fn equal_pictures_are_equal_bytes_and_read_back() {
 
 #[test]
 fn what_cannot_be_drawn_is_named() {
-    let mesh = face_list(&classic::octahedron());
+    let mesh = face_list(classic::octahedron());
     let error = |change: &dyn Fn(&mut Picture)| {
         let mut picture = plain(&mesh, [0.0, 0.0, 1.0]);
         change(&mut picture);

@@ -174,7 +174,7 @@ fn narrow(from: Corner, to: Corner, y: i64, left: &mut i64, right: &mut i64) {
         *right = (*right).min(last_until(most.div_euclid(dy)));
     } else if dy < 0 {
         *left = (*left).max(first_from(-most.div_euclid(-dy)));
-    } else if most < 0 {
+    } else if dx != 0 && most < 0 {
         *right = -1;
     }
 }
@@ -187,4 +187,66 @@ fn first_from(position: i64) -> i64 {
 /// The last sample whose centre is not after `position`.
 fn last_until(position: i64) -> i64 {
     (position - HALF_UNIT) >> UNIT_BITS
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const SIZE: [usize; 2] = [9, 7];
+
+    /// How often each sample is visited.
+    fn visits(polygons: &mut [Vec<Corner>]) -> Vec<u32> {
+        let mut visits = vec![0; SIZE[0] * SIZE[1]];
+        for corners in polygons {
+            for_each_span(corners, SIZE, |y, span| {
+                span.for_each(|x| visits[y * SIZE[0] + x] += 1);
+            });
+        }
+        visits
+    }
+
+    /// On which side of `a → b` the centre of a sample is: its sign.
+    fn side(a: Corner, b: Corner, sample: usize) -> i64 {
+        let centre = [sample % SIZE[0], sample / SIZE[0]].map(|i| 256 * i as i64 + 128);
+        let [p, q] = [b, centre].map(|end| [end[0] - a[0], end[1] - a[1]]);
+        (p[0] * q[1] - p[1] * q[0]).signum()
+    }
+
+    /// Half samples, so that many samples lie exactly on sides, and places far outside.
+    fn grid_corner() -> impl Strategy<Value = Corner> {
+        let coordinate =
+            prop_oneof![9 => (-4..24i64).prop_map(|x| 128 * x), 1 => -900_000..900_000i64];
+        [coordinate.clone(), coordinate]
+    }
+
+    proptest! {
+        #[test]
+        fn a_triangle_has_the_samples_inside_and_none_outside(triangle in [grid_corner(), grid_corner(), grid_corner()]) {
+            let [a, b, c] = triangle;
+            // A corner that is there twice, as a section may leave it, changes nothing.
+            let visits = visits(&mut [vec![a, b, b, c]]);
+            for (sample, &count) in visits.iter().enumerate() {
+                let sides = [(a, b), (b, c), (c, a)].map(|(a, b)| side(a, b, sample));
+                let inside = sides == [1; 3] || sides == [-1; 3];
+                let outside = sides.contains(&1) && sides.contains(&-1);
+                prop_assert!(count <= 1 && (!inside || count == 1) && (!outside || count == 0));
+            }
+        }
+
+        /// Triangles around a point inside a rectangle over the whole canvas.
+        #[test]
+        fn neighbours_neither_overlap_nor_leave_gaps(x in 0..18i64, y in 0..14i64, flip in any::<bool>()) {
+            let corners = [[0, 0], [2304, 0], [2304, 1792], [0, 1792]];
+            let hub = [128 * x, 128 * y];
+            let triangle = |i: usize| vec![corners[i], corners[(i + 1) % 4], hub];
+            let mut fan: Vec<_> = (0..4).map(triangle).collect();
+            if flip {
+                fan[2].reverse();
+            }
+            prop_assert!(visits(&mut fan).iter().all(|&count| count == 1));
+        }
+    }
 }

@@ -5,35 +5,43 @@ use super::resolve::FULL_INK;
 use super::section::Cut;
 use super::vector::{Vector, cross, dot, minus};
 use super::{Lines, Picture, Projection};
+use crate::mesh::FaceList;
 
 /// How far lines are lifted towards the eye, in pixels: half a line's width beside an edge the face
 /// may have come that much nearer. Walls thinner than this let lines through.
 const LIFT: f64 = 1.5;
 
-/// Edges of a face are drawn in full if it is so many line widths high on the screen, less if not.
-const FULL_HEIGHT: f64 = 4.0;
+/// Heights of faces on the screen, in line widths, at which their edges begin to be seen and from
+/// which on they are drawn in full.
+const HEIGHTS: [f64; 2] = [1.0, 4.0];
 
-/// Edges of a face are not drawn if it is at most so many line widths high on the screen.
-const NO_HEIGHT: f64 = 1.0;
+/// The same for the typical height in the mesh: edges that are pale here and strong there, where a
+/// mesh is nearly too dense, would look like stains.
+const TYPICAL_HEIGHTS: [f64; 2] = [1.5, 3.0];
 
 /// Draws the edges of all faces, paler where they lie so close that they would blacken the picture.
 /// O(corners + samples covered).
 pub fn draw(picture: &Picture, lines: &Lines, pen: &mut Pen) {
-    let mesh = picture.mesh;
-    let mut view = Vec::new();
-    for face in mesh.faces.iter() {
-        view.clear();
-        view.extend(face.iter().map(|&v| pen.projection.view(mesh.positions[v as usize])));
-        let height = pen.height_on_screen(&view) / (lines.width * pen.samples);
-        let share = ((height - NO_HEIGHT) / (FULL_HEIGHT - NO_HEIGHT)).clamp(0.0, 1.0);
-        let strength = (share * lines.opacity * f64::from(FULL_INK)).round() as u8;
-        if strength > 0 {
-            for (i, &from) in view.iter().enumerate() {
-                let to = view[if i + 1 == view.len() { 0 } else { i + 1 }];
-                pen.line([from, to], lines.width, strength);
-            }
-        }
+    let line_width = lines.width * pen.samples;
+    let (mut weighted, mut sum) = (0.0, 0.0);
+    pen.for_each_face(picture.mesh, |pen, face| {
+        let (area, height) = pen.area_and_height(face);
+        weighted += area * height;
+        sum += area;
+    });
+    let opacity = lines.opacity * share(TYPICAL_HEIGHTS, weighted / sum / line_width);
+    if opacity > 0.0 {
+        pen.for_each_face(picture.mesh, |pen, face| {
+            let (_, height) = pen.area_and_height(face);
+            let strength = opacity * share(HEIGHTS, height / line_width) * f64::from(FULL_INK);
+            pen.outline(face, lines.width, strength.round() as u8);
+        });
     }
+}
+
+/// How far `value` is on the way between two bounds, 0 to 1.
+fn share([low, high]: [f64; 2], value: f64) -> f64 {
+    ((value - low) / (high - low)).clamp(0.0, 1.0)
 }
 
 /// Draws the highlighted edges, however close they lie.
@@ -55,9 +63,29 @@ pub struct Pen<'a> {
 }
 
 impl Pen<'_> {
-    /// Height of a polygon above its longest side on the screen, in samples.
-    fn height_on_screen(&self, view: &[Vector]) -> f64 {
-        let Some(&last) = view.last() else { return 0.0 };
+    /// Visits the corners of each face in view coordinates.
+    fn for_each_face(&mut self, mesh: &FaceList, mut visit: impl FnMut(&mut Self, &[Vector])) {
+        let mut view = Vec::new();
+        for face in mesh.faces.iter() {
+            view.clear();
+            view.extend(face.iter().map(|&v| self.projection.view(mesh.positions[v as usize])));
+            visit(self, &view);
+        }
+    }
+
+    /// Draws all sides of a polygon.
+    fn outline(&mut self, view: &[Vector], width: f64, strength: u8) {
+        if strength > 0 {
+            for (i, &from) in view.iter().enumerate() {
+                let to = view[if i + 1 == view.len() { 0 } else { i + 1 }];
+                self.line([from, to], width, strength);
+            }
+        }
+    }
+
+    /// Twice the area of a polygon on the screen and its height above its longest side, in samples.
+    fn area_and_height(&self, view: &[Vector]) -> (f64, f64) {
+        let Some(&last) = view.last() else { return (0.0, 0.0) };
         let flat = |point: Vector| {
             let [x, y, _] = self.projection.screen(point);
             [x, y, 0.0]
@@ -71,7 +99,8 @@ impl Pen<'_> {
             longest = f64::max(longest, dot(side, side));
             before = here;
         }
-        if longest > 0.0 { area.abs() / longest.sqrt() } else { 0.0 }
+        let area = area.abs();
+        (area, if longest > 0.0 { area / longest.sqrt() } else { 0.0 })
     }
 
     /// Draws a line between two points in view coordinates, `width` in pixels.
