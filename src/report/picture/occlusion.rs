@@ -36,9 +36,10 @@ pub fn occlusion(near: &[f32], [width, height]: [usize; 2]) -> Vec<f32> {
         let (x, y) = (at % width, at / width);
         let slope = |step: &Step| {
             let to = [x.wrapping_add_signed(step.x), y.wrapping_add_signed(step.y)];
-            // What lies outside the image is as high as this pixel.
+            // Nothing is known outside the image, and nothing there hides anything.
             let inside = to[0] < width && to[1] < height;
-            let rise = if inside { near[to[1] * width + to[0]] - near[at] } else { 0.0 };
+            let rise =
+                if inside { near[to[1] * width + to[0]] - near[at] } else { f32::NEG_INFINITY };
             // What rises far beyond reach is something else in front, and hides little.
             let fades = rise > reach;
             (if fades { reach * reach / rise } else { rise }) * step.over_length
