@@ -1,6 +1,7 @@
 //! Triangulated surfaces as plain arrays, for tests, benchmarks and demonstrations.
 //!
 //! * [`classic`]: the smallest closed surfaces, orientable and not, and an open one;
+//! * [`box_mesh`]: boxes with cavities and holes, as large as the papers';
 //! * [`grids`]: regular spheres and tori of any size;
 //! * [`sculptor`]: small edits that keep a closed surface valid, fit for property tests;
 //! * [`random`]: random surfaces of any genus, and irregular versions of regular ones.
@@ -23,6 +24,7 @@
 //! assert_eq!(irregular.triangles.len(), 800);
 //! ```
 
+pub mod box_mesh;
 pub mod classic;
 pub mod grids;
 pub mod random;

@@ -1,0 +1,129 @@
+//! The brick-shaped surfaces on which the papers stress their algorithms: a flat box with a square
+//! array of shafts, each a cavity or a hole (Ramaswami and Siqueira, *irreducible triangulations*,
+//! section 5, Figure 14 and Tables 3 to 5; Lemos, Ramaswami and Siqueira, section 4, Table 4.2).
+//!
+//! The papers print the numbers of vertices and of shafts; the proportions are ours. A shaft is 1
+//! wide and 1/2 away from the next one and from the sides, a cavity is 3/4 deep, the box is 1 high:
+//!
+//! ```text
+//!   +-----+       +-----+             +-----+
+//!   |     |       |     |             |     |
+//!   |     |cavity |     |    hole     |     |
+//!   |     +-------+     |             |     |
+//!   +-------------------+             +-----+
+//! ```
+//!
+//! Every face is a grid of nearly square cells, each cut in two; neighbouring faces share the
+//! vertices of their common edge, where degrees are 6 as well. Other degrees occur only in the
+//! corners, four or eight a shaft, and around the centres described at [`BoxShape::surface`].
+
+mod array;
+mod build;
+mod lattice;
+mod mesh;
+
+#[cfg(test)]
+mod tests;
+
+use crate::Surface;
+use lattice::Lattice;
+use std::fmt;
+
+/// What box is wanted. All its shafts together form an `m` × `m` array, `m` the least number whose
+/// square suffices; with 3,844 shafts that is the array of the papers, 62 × 62.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BoxShape {
+    /// Shafts that end inside the box.
+    pub cavities: u32,
+    /// Shafts that go through: the genus.
+    pub holes: u32,
+    /// Vertices of the surface, exactly.
+    pub vertices: u32,
+}
+
+/// Why there is no such box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImpossibleBox {
+    /// Fewer vertices than the corners of the faces and of the grid through them.
+    TooFewVertices {
+        /// What was asked for.
+        vertices: u32,
+        /// The least number possible with these cavities and holes, as
+        /// [`BoxShape::minimum_vertices`].
+        minimum: u64,
+    },
+    /// A surface like this, or the smallest with these cavities and holes, has more than 2³¹
+    /// half-edges.
+    TooManyHalfEdges {
+        /// How many it would have.
+        half_edges: u64,
+    },
+}
+
+impl fmt::Display for ImpossibleBox {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFewVertices { vertices, minimum } => {
+                write!(f, "a box with these cavities and holes has at least {minimum} vertices, ")?;
+                write!(f, "not {vertices}")
+            }
+            Self::TooManyHalfEdges { half_edges } => {
+                write!(f, "the box would have {half_edges} half-edges, more than 2^31")
+            }
+        }
+    }
+}
+
+impl std::error::Error for ImpossibleBox {}
+
+impl BoxShape {
+    /// The fewest vertices of a box with these cavities and holes: 8 without any, otherwise
+    /// `8(m + 1)² + 4 · cavities` with an `m` × `m` array, whichever of its places stay empty. O(1).
+    pub fn minimum_vertices(cavities: u32, holes: u32) -> u64 {
+        Lattice::coarsest(cavities, holes).vertices()
+    }
+
+    /// The box: connected, closed, simple, of genus [`BoxShape::holes`], with exactly
+    /// [`BoxShape::vertices`] vertices; axis-parallel faces, outward, without self-intersections.
+    ///
+    /// The grid is refined where its cells are longest as long as the vertices suffice. What is
+    /// left over goes first into whole grid lines between the shafts, then into whole rings of
+    /// single shafts, which both leave all degrees at 6. The last few, fewer than a ring or, in a
+    /// box without shafts, than a line, become centres of single cells spread over the surface: a
+    /// vertex of degree 4 and two of degree 7 each.
+    ///
+    /// Holes are spread over the array, and so are the empty places. Numbers of vertices and
+    /// triangles run along the rows of the faces, each shaft after the row of the array it is in.
+    ///
+    /// Coordinates are from 0 up, the first shafts at (1/2, 1/2) in x and y, the top at z = 1; the
+    /// box is `(3m + 1) / 2` wide in x and y, or 2 if there are no shafts.
+    ///
+    /// O(vertices) time; in addition to the surface, 4 bytes for each vertex of a plate.
+    ///
+    /// # Errors
+    /// If the vertices do not suffice, or are too many to number the half-edges.
+    ///
+    /// ```
+    /// use triquad_generators::box_mesh::{BoxShape, ImpossibleBox};
+    ///
+    /// let torus = BoxShape { cavities: 0, holes: 1, vertices: 1000 };
+    /// assert_eq!(torus.surface()?.triangles.len(), 2000);
+    ///
+    /// let too_small = BoxShape { vertices: 31, ..torus };
+    /// let why = ImpossibleBox::TooFewVertices { vertices: 31, minimum: 32 };
+    /// assert_eq!(too_small.surface(), Err(why));
+    /// # Ok::<(), ImpossibleBox>(())
+    /// ```
+    pub fn surface(&self) -> Result<Surface, ImpossibleBox> {
+        let minimum = Self::minimum_vertices(self.cavities, self.holes);
+        // E = 3 (V - 2 + 2g) by Euler's formula.
+        let half_edges = 6 * (minimum.max(self.vertices.into()) - 2 + 2 * u64::from(self.holes));
+        if half_edges > 1 << 31 {
+            return Err(ImpossibleBox::TooManyHalfEdges { half_edges });
+        }
+        if u64::from(self.vertices) < minimum {
+            return Err(ImpossibleBox::TooFewVertices { vertices: self.vertices, minimum });
+        }
+        Ok(build::surface(self))
+    }
+}

@@ -1,0 +1,90 @@
+//! Surfaces put together from quadrilateral cells.
+
+use crate::Surface;
+
+/// A surface under construction. Of a known number of cells, some get a vertex in their centre,
+/// spread evenly in the order of the cells.
+pub(super) struct Mesh {
+    surface: Surface,
+    cells: u64,
+    centres: u64,
+    /// `centres` times the cells so far, plus half of `cells`, modulo `cells`.
+    phase: u64,
+}
+
+impl Mesh {
+    /// An empty mesh that will have `vertices` vertices, `centres` of them in the centres of its
+    /// `cells` cells.
+    pub(super) fn new(vertices: usize, cells: u64, centres: u64) -> Self {
+        debug_assert!(centres <= cells);
+        let surface = Surface {
+            positions: Vec::with_capacity(vertices),
+            triangles: Vec::with_capacity(2 * (cells + centres) as usize),
+        };
+        Self { surface, cells, centres, phase: cells / 2 }
+    }
+
+    pub(super) fn into_surface(self) -> Surface {
+        debug_assert_eq!(self.phase, self.cells / 2, "there were as many cells as announced");
+        self.surface
+    }
+
+    pub(super) fn vertex(&mut self, position: [f64; 3]) -> u32 {
+        self.surface.positions.push(position);
+        self.surface.positions.len() as u32 - 1
+    }
+
+    /// A rectangle, its corners counter-clockwise from outside. Two triangles, or four around the
+    /// centre.
+    ///
+    /// ```text
+    ///   d---c      d---c
+    ///   | / |  or  | x |
+    ///   a---b      a---b
+    /// ```
+    pub(super) fn cell(&mut self, [a, b, c, d]: [u32; 4]) {
+        self.phase += self.centres;
+        if self.phase < self.cells {
+            self.surface.triangles.extend([[a, b, c], [a, c, d]]);
+            return;
+        }
+        self.phase -= self.cells;
+        let [p, q] = [a, c].map(|v| self.surface.positions[v as usize]);
+        let centre = self.vertex([0, 1, 2].map(|axis| (p[axis] + q[axis]) / 2.0));
+        self.surface
+            .triangles
+            .extend([[a, b], [b, c], [c, d], [d, a]].map(|[u, v]| [u, v, centre]));
+    }
+
+    /// Vertical walls between two closed loops of vertices one above the other, `levels` cells
+    /// high. The outside is to the right of the loops seen from above.
+    pub(super) fn walls(&mut self, upper: &[u32], lower: &[u32], levels: u32) {
+        let first = self.surface.positions.len() as u32;
+        let length = upper.len() as u32;
+        let heights = [upper[0], lower[0]].map(|v| self.surface.positions[v as usize][2]);
+        for level in 1..levels {
+            let z = between(heights, level, levels);
+            for &v in upper {
+                let [x, y, _] = self.surface.positions[v as usize];
+                self.vertex([x, y, z]);
+            }
+        }
+        let vertex = |level: u32, i: u32| match level {
+            0 => upper[i as usize],
+            _ if level == levels => lower[i as usize],
+            _ => first + (level - 1) * length + i,
+        };
+        for level in 0..levels {
+            for i in 0..length {
+                let next = if i + 1 == length { 0 } else { i + 1 };
+                let below = [vertex(level + 1, i), vertex(level + 1, next)];
+                self.cell([below[0], below[1], vertex(level, next), vertex(level, i)]);
+            }
+        }
+    }
+}
+
+/// Point `step` of `steps` equal steps from the first to the second number.
+pub(super) fn between([from, to]: [f64; 2], step: u32, steps: u32) -> f64 {
+    from + (to - from) * f64::from(step) / f64::from(steps)
+}
