@@ -72,6 +72,16 @@ pub(crate) fn degrees(surface: &Surface) -> Vec<usize> {
     degrees
 }
 
+/// The share of vertices of degree 6 on a closed surface.
+pub(crate) fn degree_six_share(surface: &Surface) -> f64 {
+    let mut triangles_around = vec![0; surface.positions.len()];
+    for &v in surface.triangles.as_flattened() {
+        triangles_around[v as usize] += 1;
+    }
+    let six = triangles_around.iter().filter(|&&count| count == 6).count();
+    six as f64 / surface.positions.len() as f64
+}
+
 /// The volume enclosed, positive if the triangles face outward.
 pub(crate) fn signed_volume(surface: &Surface) -> f64 {
     let corner = |v: u32| surface.positions[v as usize];

@@ -179,7 +179,7 @@ impl Builder {
         for x in 0..self.axes[0].columns.len() {
             if !self.is_open(plate, self.axes[0].columns[x], row) {
                 let [a, b, c, d] = self.plates[plate as usize].cell([x, y]);
-                self.mesh.cell(if plate == Plate::Top { [a, b, c, d] } else { [a, d, c, b] });
+                self.mesh.cell(if plate == Plate::Top { [a, b, c, d] } else { [d, c, b, a] });
             }
         }
     }

@@ -35,7 +35,7 @@ impl Mesh {
     }
 
     /// A rectangle, its corners counter-clockwise from outside. Two triangles, or four around the
-    /// centre.
+    /// centre; left to right, so that cells that follow each other share an edge.
     ///
     /// ```text
     ///   d---c      d---c
@@ -45,7 +45,7 @@ impl Mesh {
     pub(super) fn cell(&mut self, [a, b, c, d]: [u32; 4]) {
         self.phase += self.centres;
         if self.phase < self.cells {
-            self.surface.triangles.extend([[a, b, c], [a, c, d]]);
+            self.surface.triangles.extend([[a, c, d], [a, b, c]]);
             return;
         }
         self.phase -= self.cells;
