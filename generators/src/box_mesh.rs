@@ -17,9 +17,9 @@
 //! vertices of their common edge, where degrees are 6 as well. Other degrees occur only in the
 //! corners, four or eight a shaft, and around the centres described at [`BoxShape::surface`].
 
-mod array;
+pub(crate) mod array;
 mod build;
-mod lattice;
+pub(crate) mod lattice;
 mod mesh;
 
 #[cfg(test)]

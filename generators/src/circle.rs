@@ -15,7 +15,7 @@ pub(crate) fn circle(k: u32, n: u32) -> [f64; 2] {
     let quarters = 4 * u64::from(k % n);
     let n = u64::from(n);
     let rest = quarters % n;
-    let (sine, cosine) = (quarter_sine(rest, n), quarter_sine(n - rest, n));
+    let [cosine, sine] = [n - rest, rest].map(|part| quarter_sine(part as f64 / n as f64));
     // Subtracted, not negated: no coordinate becomes -0.
     match quarters / n {
         0 => [cosine, sine],
@@ -25,10 +25,15 @@ pub(crate) fn circle(k: u32, n: u32) -> [f64; 2] {
     }
 }
 
-/// Sine of `part / whole` of a right angle, `part <= whole`, by its Taylor polynomial of degree
-/// 23: the first term left out is below 1e-20 in this range.
-fn quarter_sine(part: u64, whole: u64) -> f64 {
-    let x = FRAC_PI_2 * (part as f64 / whole as f64);
+/// The point at `part` of a right angle, 0 to 1.
+pub(crate) fn quarter(part: f64) -> [f64; 2] {
+    [quarter_sine(1.0 - part), quarter_sine(part)]
+}
+
+/// Sine of `part` of a right angle, 0 to 1, by its Taylor polynomial of degree 23: the first term
+/// left out is below 1e-20 in this range.
+fn quarter_sine(part: f64) -> f64 {
+    let x = FRAC_PI_2 * part;
     let factor = (1..12u32).rev().fold(1.0, |inner, k| {
         let divisor = f64::from(2 * k * (2 * k + 1));
         1.0 - inner * (x * x) / divisor

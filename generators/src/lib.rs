@@ -3,6 +3,7 @@
 //! * [`classic`]: the smallest closed surfaces, orientable and not, and an open one;
 //! * [`box_mesh`]: boxes with cavities and holes, as large as the papers';
 //! * [`grids`]: regular spheres and tori of any size;
+//! * [`organic`]: smooth, irregular shapes of any genus;
 //! * [`sculptor`]: small edits that keep a closed surface valid, fit for property tests;
 //! * [`random`]: random surfaces of any genus, and irregular versions of regular ones.
 //!
@@ -27,6 +28,7 @@
 pub mod box_mesh;
 pub mod classic;
 pub mod grids;
+pub mod organic;
 pub mod random;
 pub mod sculptor;
 

@@ -2,7 +2,7 @@
 
 /// One place of the array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub(crate) enum Place {
     /// No shaft: its place is for a larger array than there are shafts.
     Empty,
     /// A shaft that ends inside.
@@ -15,7 +15,7 @@ pub(super) enum Place {
 ///
 /// # Panics
 /// If there are fewer places than shafts.
-pub(super) fn places(columns: u32, cavities: u32, holes: u32) -> Vec<Place> {
+pub(crate) fn places(columns: u32, cavities: u32, holes: u32) -> Vec<Place> {
     let mut order: Vec<_> = (0..columns * columns).collect();
     let key = |&place: &u32| (scatter(place % columns, place / columns), place);
     let (holes, shafts) = (holes as usize, holes as usize + cavities as usize);
@@ -71,7 +71,7 @@ mod tests {
                 let found: usize =
                     rows.map(|at| count(&places[at..at + window as usize], Place::Hole)).sum();
                 let off = (found as f64 - expected).abs();
-                assert!(off <= 2.5, "{found} of {holes} at {x}, {y} instead of {expected}");
+                assert!(off <= 3.0, "{found} of {holes} at {x}, {y} instead of {expected}");
             }
         }
     }

@@ -3,16 +3,21 @@
 use super::BoxShape;
 
 /// Height of the box.
-pub(super) const HEIGHT: f64 = 1.0;
+pub(crate) const HEIGHT: f64 = 1.0;
 /// Side of the square cross-section of a shaft.
-pub(super) const SHAFT: f64 = 1.0;
+pub(crate) const SHAFT: f64 = 1.0;
 /// Depth of a cavity.
-pub(super) const DEPTH: f64 = 0.75;
+pub(crate) const DEPTH: f64 = 0.75;
 
 /// Distance between neighbouring shafts, and from the outer ones to the sides; without shafts,
 /// from one side of the box to the other.
-pub(super) fn gap(columns: u32) -> f64 {
+pub(crate) fn gap(columns: u32) -> f64 {
     if columns == 0 { 2.0 } else { 0.5 }
+}
+
+/// The least number whose square is at least `shafts`.
+pub(crate) fn columns(shafts: u64) -> u32 {
+    if shafts == 0 { 0 } else { (shafts - 1).isqrt() as u32 + 1 }
 }
 
 /// The `index`th share when `total` things are spread evenly over `count` places.
@@ -54,8 +59,7 @@ pub(super) struct Lattice {
 impl Lattice {
     /// One cell for each part.
     pub(super) fn coarsest(cavities: u32, holes: u32) -> Self {
-        let shafts = u64::from(cavities) + u64::from(holes);
-        let columns = if shafts == 0 { 0 } else { (shafts - 1).isqrt() as u32 + 1 };
+        let columns = columns(u64::from(cavities) + u64::from(holes));
         let (cells, extra_lines) = ([1; 5], [0; 2]);
         Self { columns, cavities, holes, cells, extra_lines, extra_rings: 0 }
     }
