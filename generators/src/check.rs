@@ -94,6 +94,51 @@ pub(crate) fn determinant(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
         + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
+/// Asserts that no edge passes through the inside of a triangle that it does not touch. Triangles
+/// in general position that meet outside their common vertices do so.
+pub(crate) fn assert_embedded(surface: &Surface) {
+    let point = |v: u32| surface.positions[v as usize];
+    let edges = || directed_edges(surface).into_iter().filter(|(a, b)| a < b).map(|(a, b)| [a, b]);
+    let extent = |[p, q]: [[f64; 3]; 2]| (0..3).map(|k| (p[k] - q[k]).abs()).sum::<f64>();
+    let mean = edges().map(|edge| extent(edge.map(point))).sum::<f64>() / edges().count() as f64;
+    let mut nearby: HashMap<_, Vec<_>> = HashMap::new();
+    for triangle in &surface.triangles {
+        for block in blocks(&triangle.map(point), mean) {
+            nearby.entry(block).or_default().push(*triangle);
+        }
+    }
+    for edge in edges() {
+        for block in blocks(&edge.map(point), mean) {
+            for triangle in nearby.get(&block).into_iter().flatten() {
+                let apart = edge.iter().all(|v| !triangle.contains(v));
+                let through = apart && passes_through(edge.map(point), triangle.map(point));
+                assert!(!through, "edge {edge:?} passes through triangle {triangle:?}");
+            }
+        }
+    }
+}
+
+/// The blocks of a regular subdivision of space that the bounding box of `points` meets.
+fn blocks(points: &[[f64; 3]], size: f64) -> Vec<[i64; 3]> {
+    let [x, y, z] = [0, 1, 2].map(|axis| {
+        let at = points.iter().map(|p| (p[axis] / size).floor() as i64);
+        at.clone().min().unwrap()..=at.max().unwrap()
+    });
+    let columns = x.flat_map(|x| y.clone().map(move |y| [x, y]));
+    columns.flat_map(|[x, y]| z.clone().map(move |z| [x, y, z])).collect()
+}
+
+/// Whether the segment crosses the triangle, boundaries left out.
+fn passes_through([p, q]: [[f64; 3]; 2], [a, b, c]: [[f64; 3]; 3]) -> bool {
+    let side = |i: [f64; 3], others: [[f64; 3]; 3]| {
+        let [j, k, l] = others.map(|o| [o[0] - i[0], o[1] - i[1], o[2] - i[2]]);
+        determinant(j, k, l)
+    };
+    let around = [side(p, [q, a, b]), side(p, [q, b, c]), side(p, [q, c, a])];
+    side(a, [b, c, p]) * side(a, [b, c, q]) < 0.0
+        && (around.iter().all(|&s| s > 0.0) || around.iter().all(|&s| s < 0.0))
+}
+
 /// The directed edges of all triangles.
 pub(crate) fn directed_edges(surface: &Surface) -> HashSet<(u32, u32)> {
     surface.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect()
@@ -174,7 +219,7 @@ fn spread_orientation(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::classic::tetrahedron;
+    use crate::classic::{klein_bottle, seven_vertex_torus, tetrahedron};
 
     #[test]
     #[should_panic(expected = "a directed edge occurs twice")]
@@ -194,6 +239,13 @@ mod tests {
         let moved = other.iter().map(|corners| corners.map(|v| if v == 0 { 0 } else { v + 3 }));
         surface.triangles.extend(moved);
         inspect(&surface);
+    }
+
+    #[test]
+    #[should_panic(expected = "passes through triangle")]
+    fn notices_a_surface_that_passes_through_itself() {
+        assert_embedded(&seven_vertex_torus());
+        assert_embedded(&klein_bottle(20, 21));
     }
 
     #[test]

@@ -18,6 +18,9 @@
 mod noise;
 mod rounding;
 
+#[cfg(test)]
+mod tests;
+
 use crate::Surface;
 use crate::box_mesh::{BoxShape, lattice::columns};
 use noise::{Noise, octaves};

@@ -56,12 +56,13 @@ impl Octave {
 
     fn at(&self, x: f64, y: f64) -> f64 {
         let ((columns, across), (rows, along)) = (self.knots(x), self.knots(y));
-        let row = |k: usize| {
-            let row = &self.coefficients[rows[k] * self.period..][..self.period];
+        let mut sum = 0.0;
+        for (row, weight) in rows.into_iter().zip(along) {
+            let row = &self.coefficients[row * self.period..][..self.period];
             let value = across[0] * row[columns[0]] + across[1] * row[columns[1]];
-            along[k] * (value + across[2] * row[columns[2]])
-        };
-        row(0) + row(1) + row(2)
+            sum += weight * (value + across[2] * row[columns[2]]);
+        }
+        sum
     }
 
     /// The three coefficients that matter at `x` along one direction, and their weights.

@@ -74,8 +74,8 @@ impl Rounding {
         if from_centre > array {
             let part = (from_centre - array + down) / way;
             let outward = quarter(part)[1];
-            // Little enough that a corner still moves outward.
-            let softness = outward * RIM / array;
+            // Small enough that a corner moves outward nearly as fast as the sides do.
+            let softness = outward * RIM / (2.0 * array);
             let scale = (array + RIM * outward) / softened(point, softness);
             return (point.map(|x| x * scale), part);
         }
