@@ -15,7 +15,7 @@
 //!
 //! Every face is a grid of nearly square cells, each cut in two; neighbouring faces share the
 //! vertices of their common edge, where degrees are 6 as well. Other degrees occur only in the
-//! corners, four or eight a shaft, and around the centres described at [`BoxShape::surface`].
+//! corners, eight a shaft and eight of the box, and around the centres described at [`BoxShape::surface`].
 
 pub(crate) mod array;
 mod build;
