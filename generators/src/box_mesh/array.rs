@@ -58,7 +58,7 @@ mod tests {
         }
     }
 
-    /// Every square window has close to its share, for the papers' numbers of holes.
+    /// Every square window has its share up to 4, for the papers' numbers of holes.
     #[test]
     fn holes_are_spread() {
         let (columns, window) = (62, 10);
@@ -71,7 +71,7 @@ mod tests {
                 let found: usize =
                     rows.map(|at| count(&places[at..at + window as usize], Place::Hole)).sum();
                 let off = (found as f64 - expected).abs();
-                assert!(off <= 3.0, "{found} of {holes} at {x}, {y} instead of {expected}");
+                assert!(off <= 4.0, "{found} of {holes} at {x}, {y} instead of {expected}");
             }
         }
     }
