@@ -33,6 +33,7 @@ pub mod quadrangulation;
 pub mod random;
 #[cfg(feature = "report")]
 pub mod report;
+pub mod simplify;
 pub mod triangulation;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum, make_perfect};

@@ -1,0 +1,122 @@
+//! What triangles and degrees a contraction may leave, and those of the result.
+
+use super::vector::{Vector, cross, difference, dot, square};
+use crate::mesh::FaceList;
+use crate::triangulation::{Id, Triangulation};
+
+/// What a contraction must keep to; relaxed in stages where nothing else is left.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Most edges at the vertex that an edge becomes.
+    pub degree: u32,
+    /// Least cosine of the angle by which a triangle may turn.
+    turn: f64,
+    /// Least [`roundness`], squared, of a triangle, unless one was worse before.
+    roundness: f64,
+}
+
+/// Stage by stage. At the last one only the link condition counts.
+pub const STAGES: [Limits; 5] = [
+    Limits { degree: 9, turn: 0.5, roundness: 0.09 },
+    Limits { degree: 10, turn: 0.2, roundness: 0.02 },
+    Limits { degree: 12, turn: 0.0, roundness: 0.001 },
+    Limits { degree: 24, turn: -1.0, roundness: 0.0 },
+    Limits { degree: u32::MAX, turn: -1.0, roundness: 0.0 },
+];
+
+impl Limits {
+    /// Whether nothing is asked of triangles.
+    pub fn any_triangle(&self) -> bool {
+        self.turn <= -1.0
+    }
+
+    /// Whether the triangle from the side `side` to an apex may become `after` where it was `before`
+    /// and the worst squared roundness round the edge was `worst`.
+    #[inline]
+    pub fn allow(&self, before: &Face, after: &Face, worst: f64) -> bool {
+        let turned = dot(before.normal, after.normal);
+        let product = square(before.normal) * square(after.normal);
+        // A triangle without area has no normal to turn.
+        let turns_little = product == 0.0
+            || (turned > 0.0 && turned * turned >= self.turn * self.turn * product);
+        turns_little && after.roundness >= self.roundness.min(worst)
+    }
+}
+
+/// A triangle's normal, twice its area long, and its roundness.
+#[derive(Clone, Copy, Debug)]
+pub struct Face {
+    normal: Vector,
+    /// The square of 4√3 area / (sum of squared sides): 1 if equilateral, 0 without area.
+    pub roundness: f64,
+}
+
+impl Face {
+    /// Of the triangle with these corners.
+    #[inline]
+    pub fn new(p: Vector, q: Vector, r: Vector) -> Self {
+        let [one, two, three] = [difference(q, p), difference(r, p), difference(r, q)];
+        let normal = cross(one, two);
+        let sides = square(one) + square(two) + square(three);
+        let roundness = 12.0 * square(normal) / (sides * sides);
+        // All corners in one point: 0 / 0.
+        Self { normal, roundness: if roundness.is_finite() { roundness } else { 0.0 } }
+    }
+}
+
+/// Largest degree and extreme angles of a triangulation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// Most edges at a vertex.
+    pub largest_degree: u32,
+    /// Cosine of the smallest angle of a triangle.
+    pub smallest_angle_cosine: f64,
+    /// Cosine of the largest angle of a triangle.
+    pub largest_angle_cosine: f64,
+}
+
+impl Shape {
+    /// Measures the triangles of `triangulation`, built from `list`. The angles of triangles with
+    /// sides of no length are taken for 0 and 180 degrees. O(n).
+    pub fn of(triangulation: &Triangulation, list: &FaceList) -> Self {
+        let mut degrees = vec![0u32; triangulation.vertex_id_count()];
+        let (mut smallest, mut largest) = (-1.0f64, 1.0f64);
+        for f in triangulation.triangles() {
+            let corners = triangulation.corners(f).map(Id::index);
+            corners.iter().for_each(|&v| degrees[v] += 1);
+            let [p, q, r] = corners.map(|v| list.positions[v]);
+            let cosines = [cosine_at(p, q, r), cosine_at(q, r, p), cosine_at(r, p, q)];
+            for cosine in cosines {
+                match cosine {
+                    Some(cosine) => {
+                        smallest = smallest.max(cosine);
+                        largest = largest.min(cosine);
+                    }
+                    None => (smallest, largest) = (1.0, -1.0),
+                }
+            }
+        }
+        Self {
+            largest_degree: degrees.into_iter().max().unwrap_or(0),
+            smallest_angle_cosine: smallest,
+            largest_angle_cosine: largest,
+        }
+    }
+
+    /// The smallest angle in degrees; its last digits may differ between machines.
+    pub fn smallest_angle(&self) -> f64 {
+        self.smallest_angle_cosine.acos().to_degrees()
+    }
+
+    /// The largest angle in degrees; its last digits may differ between machines.
+    pub fn largest_angle(&self) -> f64 {
+        self.largest_angle_cosine.acos().to_degrees()
+    }
+}
+
+/// The cosine of the angle at `p`, or `None` if a side there has no length.
+fn cosine_at(p: Vector, q: Vector, r: Vector) -> Option<f64> {
+    let (one, two) = (difference(q, p), difference(r, p));
+    let cosine = dot(one, two) / (square(one).sqrt() * square(two).sqrt());
+    cosine.is_finite().then(|| cosine.clamp(-1.0, 1.0))
+}
