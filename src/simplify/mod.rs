@@ -7,6 +7,7 @@
 //! an edge that is refused for its triangles or degrees waits behind all others until something
 //! changes near it, or until nothing better is left.
 
+mod key;
 mod placement;
 mod quadric;
 mod shape;
@@ -23,7 +24,7 @@ pub use shape::Shape;
 
 use crate::mesh::FaceList;
 use crate::triangulation::{
-    HalfEdgeId, Id, IdVec, LinkMarks, ShrinkingTriangulation, Triangulation, VertexId,
+    HalfEdgeId, Id, IdVec, LinkMarks, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
 };
 
 /// Why a triangulation cannot be simplified to the number of vertices asked for.
@@ -93,7 +94,8 @@ pub struct Simplifier {
 const SMALL_DEGREE: u32 = 64;
 
 impl Simplifier {
-    /// Prices all edges of a triangulation built from a list with these positions. O(n).
+    /// Takes a triangulation over and prices its edges; `positions` are those of the list that it was
+    /// built from. O(n).
     ///
     /// # Panics
     /// If there are fewer positions than vertices.
@@ -101,23 +103,16 @@ impl Simplifier {
         let vertices = triangulation.vertex_id_count();
         let triangulation = ShrinkingTriangulation::of(triangulation);
         let scale = power_of_two_near_extent(positions);
-        let at = |&position: &Vector| Point {
-            position: scaled(position, 1.0 / scale),
-            quadric: Quadric::default(),
-        };
-        let points: Vec<Point> = positions[..vertices].iter().map(at).collect();
-        let mut simplifier = Self {
+        let points = with_planes(&triangulation, &positions[..vertices], 1.0 / scale);
+        Self {
+            queue: all_priced(&triangulation, &points),
             triangulation,
-            points: points.into(),
-            queue: Tournament::new(std::iter::empty::<u32>().collect::<Vec<_>>().into_iter()),
+            points,
             has_refused: IdVec::filled(false, vertices),
             marks: LinkMarks::new(vertices),
             stale: false,
             scale,
-        };
-        simplifier.gather_planes();
-        simplifier.price_all();
-        simplifier
+        }
     }
 
     /// Number of vertices left; those that no triangle uses do not count.
@@ -137,7 +132,10 @@ impl Simplifier {
         while self.vertex_count() > vertices {
             match self.queue.first() {
                 Some((edge, key)) => self.attempt(HalfEdgeId::new(edge), key),
-                None if self.stale => self.price_all(),
+                None if self.stale => {
+                    self.queue = all_priced(&self.triangulation, &self.points);
+                    self.stale = false;
+                }
                 None => {
                     let reached = self.vertex_count();
                     return Err(SimplifyError::Irreducible { wanted: vertices, reached });
@@ -159,16 +157,16 @@ impl Simplifier {
 
     /// Contracts an edge, or says when to try again.
     fn attempt(&mut self, h: HalfEdgeId, key: u32) {
-        let stage = stage_of(key);
+        let stage = key::stage(key);
         let limits = &STAGES[stage];
         let later = if !self.degrees_allow(h, limits) {
-            next_stage(key)
+            key::later(key)
         } else if !self.triangulation.is_contractible(h, &mut self.marks) {
             Tournament::ABSENT
         } else if let Some(point) = self.allowed_point(h, stage) {
             return self.contract(h, point);
         } else {
-            next_stage(key)
+            key::later(key)
         };
         self.queue.set(h.index(), later);
         for v in [self.triangulation.origin(h), self.triangulation.destination(h)] {
@@ -185,54 +183,50 @@ impl Simplifier {
 
     /// The best point for the vertex that the edge becomes that the limits of the stage allow.
     fn allowed_point(&self, h: HalfEdgeId, stage: usize) -> Option<Point> {
-        let limits = &STAGES[stage];
-        let (u, v) = (self.triangulation.origin(h), self.triangulation.destination(h));
-        let best = Placement::best(&self.points[u], &self.points[v]).point;
-        let worst = self.worst_roundness(u).min(self.worst_roundness(v));
-        let allowed = |point: &Point| {
-            limits.any_triangle()
-                || (self.triangles_allow(u, v, point.position, limits, worst)
-                    && self.triangles_allow(v, u, point.position, limits, worst))
-        };
+        let ends = [self.triangulation.origin(h), self.triangulation.destination(h)];
+        let [u, v] = ends.map(|end| &self.points[end]);
+        let allowed = |point: &Point| self.triangles_allow(ends, point.position, &STAGES[stage]);
+        let best = Placement::best(u, v).point;
         if allowed(&best) {
             return Some(best);
         }
-        if stage == 0 {
-            return None;
+        let others = if stage == 0 { &[][..] } else { &Placement::others(u, v) };
+        others.iter().map(|other| other.point).find(allowed)
+    }
+
+    /// Whether the triangles at either end of an edge, but those at both, may have that end moved
+    /// to `place`: none turns too far, and none is less round than allowed unless one was before.
+    fn triangles_allow(&self, [u, v]: [VertexId; 2], place: Vector, limits: &Limits) -> bool {
+        if limits.any_triangle {
+            return true;
         }
-        let others = Placement::others(&self.points[u], &self.points[v]);
-        others.into_iter().map(|other| other.point).find(allowed)
-    }
-
-    /// The least roundness, squared, of a triangle at `v`.
-    fn worst_roundness(&self, v: VertexId) -> f64 {
-        let k = &self.triangulation;
-        let round = |h: HalfEdgeId| {
-            let corners = h.triangle().half_edges().map(|side| self.points[k.origin(side)].position);
-            Face::new(corners[0], corners[1], corners[2]).roundness
-        };
-        k.spokes(v).map(round).fold(1.0, f64::min)
-    }
-
-    /// Whether all triangles at `v` that do not contain `other` may have `v` moved to `place`.
-    fn triangles_allow(
-        &self,
-        v: VertexId,
-        other: VertexId,
-        place: Vector,
-        limits: &Limits,
-        worst: f64,
-    ) -> bool {
-        let k = &self.triangulation;
-        let here = self.points[v].position;
-        k.spokes(v).all(|h| {
-            let (a, b) = (k.destination(h), k.origin(h.prev()));
-            if a == other || b == other {
-                return true;
+        let (k, at) = (&self.triangulation, |v| self.points[v].position);
+        let mut least = f64::INFINITY;
+        for (end, other) in [(u, v), (v, u)] {
+            for h in k.spokes(end) {
+                let (a, b) = (k.destination(h), k.origin(h.prev()));
+                if a == other || b == other {
+                    continue;
+                }
+                let after = Face::new(place, at(a), at(b));
+                if !limits.allow_turn(&Face::new(at(end), at(a), at(b)), &after) {
+                    return false;
+                }
+                least = least.min(after.roundness);
             }
-            let [a, b] = [a, b].map(|corner| self.points[corner].position);
-            limits.allow(&Face::new(here, a, b), &Face::new(place, a, b), worst)
-        })
+        }
+        least >= limits.roundness || least >= self.least_roundness([u, v])
+    }
+
+    /// The least roundness of a triangle at either end.
+    fn least_roundness(&self, ends: [VertexId; 2]) -> f64 {
+        let k = &self.triangulation;
+        let roundness = |h: HalfEdgeId| {
+            let sides = h.triangle().half_edges();
+            let [p, q, r] = sides.map(|side| self.points[k.origin(side)].position);
+            Face::new(p, q, r).roundness
+        };
+        ends.into_iter().flat_map(|end| k.spokes(end)).map(roundness).fold(1.0, f64::min)
     }
 
     /// Contracts an edge into the end with more edges, puts that at `point`, and prices what changed.
@@ -240,12 +234,11 @@ impl Simplifier {
         let k = &self.triangulation;
         let more = k.degree(k.destination(h)) > k.degree(k.origin(h));
         let h = if more { k.twin(h) } else { h };
-        let (gone, apexes) = (k.destination(h), [h, k.twin(h)]);
-        for side in apexes.iter().flat_map(|side| side.triangle().half_edges()) {
+        let (u, sides) = (k.origin(h), [h, k.twin(h)]);
+        for side in sides.iter().flat_map(|side| side.triangle().half_edges()) {
             self.queue.set(side.index(), Tournament::ABSENT);
         }
-        let u = k.origin(h);
-        let _ = gone;
+        // There is no way back: the receipt is not kept.
         let _ = self.triangulation.contract(h);
         self.points[u] = point;
         self.price_star(u);
@@ -257,7 +250,8 @@ impl Simplifier {
         for h in self.triangulation.spokes(u) {
             let twin = self.triangulation.twin(h);
             self.queue.set(h.max(twin).index(), Tournament::ABSENT);
-            self.queue.set(h.min(twin).index(), self.price(h.min(twin)));
+            self.queue
+                .set(h.min(twin).index(), price(&self.triangulation, &self.points, h.min(twin)));
         }
         self.has_refused[u] = false;
     }
@@ -277,67 +271,48 @@ impl Simplifier {
             self.has_refused[v] = false;
             for h in self.triangulation.spokes(v) {
                 let edge = h.min(self.triangulation.twin(h));
-                if stage_of(self.queue.key(edge.index())) > 0 {
-                    self.queue.set(edge.index(), self.price(edge));
+                if key::stage(self.queue.key(edge.index())) > 0 {
+                    self.queue.set(edge.index(), price(&self.triangulation, &self.points, edge));
                 }
             }
         }
     }
+}
 
-    /// The key of an edge that has not been refused.
-    #[inline]
-    fn price(&self, h: HalfEdgeId) -> u32 {
-        let [u, v] = [self.triangulation.origin(h), self.triangulation.destination(h)];
-        first_key(Placement::best(&self.points[u], &self.points[v]).cost)
-    }
+/// The key of an edge that has not been refused.
+#[inline]
+fn price(k: &ShrinkingTriangulation, points: &IdVec<VertexId, Point>, h: HalfEdgeId) -> u32 {
+    let [u, v] = [k.origin(h), k.destination(h)].map(|end| &points[end]);
+    key::first(Placement::best(u, v).cost, h.index())
+}
 
-    /// Prices all edges.
-    fn price_all(&mut self) {
-        let k = &self.triangulation;
-        let price = |h| {
-            let h = HalfEdgeId::new(h);
-            let is_edge = h < k.twin(h) && k.is_alive(h.triangle());
-            if is_edge { self.price(h) } else { Tournament::ABSENT }
-        };
-        self.queue = Tournament::new((0..k.half_edge_id_count()).map(price));
-        self.stale = false;
-    }
+/// All edges with their keys.
+fn all_priced(k: &ShrinkingTriangulation, points: &IdVec<VertexId, Point>) -> Tournament {
+    let key = |h| {
+        let h = HalfEdgeId::new(h);
+        let is_edge = h < k.twin(h) && k.is_alive(h.triangle());
+        if is_edge { price(k, points, h) } else { Tournament::ABSENT }
+    };
+    Tournament::new((0..k.half_edge_id_count()).map(key))
+}
 
-    /// Gives every vertex the planes of its triangles.
-    fn gather_planes(&mut self) {
-        for first in (0..self.triangulation.half_edge_id_count()).step_by(3) {
-            let sides = HalfEdgeId::new(first).triangle().half_edges();
-            let corners = sides.map(|h| self.triangulation.origin(h));
-            let [p, q, r] = corners.map(|v| self.points[v].position);
-            let plane = Quadric::of_triangle(cross(difference(q, p), difference(r, p)));
-            for v in corners {
-                self.points[v].quadric = self.points[v].quadric.plus(&plane);
-            }
+/// Vertices at `positions` times `scale`, each with the planes of its triangles.
+fn with_planes(
+    k: &ShrinkingTriangulation,
+    positions: &[Vector],
+    scale: f64,
+) -> IdVec<VertexId, Point> {
+    let at = |&p: &Vector| Point { position: scaled(p, scale), quadric: Quadric::default() };
+    let mut points: IdVec<VertexId, Point> = positions.iter().map(at).collect::<Vec<_>>().into();
+    for f in (0..k.half_edge_id_count() / 3).map(TriangleId::new) {
+        let corners = f.half_edges().map(|h| k.origin(h));
+        let [p, q, r] = corners.map(|v| points[v].position);
+        let plane = Quadric::of_triangle(cross(difference(q, p), difference(r, p)));
+        for v in corners {
+            points[v].quadric = points[v].quadric.plus(&plane);
         }
     }
-}
-
-/// Keys order by stage, then by cost: an upper and a lower part.
-const STAGE_BIT: u32 = 29;
-
-fn stage_of(key: u32) -> usize {
-    (key >> STAGE_BIT) as usize
-}
-
-/// The key of an edge of this cost at the first stage. Costs are cut to 4 significant bits: among
-/// edges nearly alike those near each other in memory go first.
-fn first_key(cost: f64) -> u32 {
-    let cost = if cost < f64::from(f32::MAX) { cost as f32 } else { f32::MAX };
-    (cost.to_bits() >> 2) & !((1 << key_bits()) - 1)
-}
-
-fn key_bits() -> u32 {
-    static K: std::sync::OnceLock<u32> = std::sync::OnceLock::new();
-    *K.get_or_init(|| std::env::var("KB").map_or(18, |s| s.parse().unwrap()))
-}
-
-fn next_stage(key: u32) -> u32 {
-    if stage_of(key) + 1 < STAGES.len() { key + (1 << STAGE_BIT) } else { Tournament::ABSENT }
+    points
 }
 
 /// A power of two, so that scaling by it and back changes no bit.

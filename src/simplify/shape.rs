@@ -11,35 +11,37 @@ pub struct Limits {
     pub degree: u32,
     /// Least cosine of the angle by which a triangle may turn.
     turn: f64,
-    /// Least [`roundness`], squared, of a triangle, unless one was worse before.
-    roundness: f64,
+    /// Least [`Face::roundness`], unless one was less before.
+    pub roundness: f64,
+    /// Whether nothing is asked of triangles.
+    pub any_triangle: bool,
+}
+
+const fn limits(degree: u32, turn: f64, roundness: f64) -> Limits {
+    Limits { degree, turn, roundness, any_triangle: false }
+}
+
+const fn any_triangle(degree: u32) -> Limits {
+    Limits { degree, turn: -1.0, roundness: 0.0, any_triangle: true }
 }
 
 /// Stage by stage. At the last one only the link condition counts.
 pub const STAGES: [Limits; 5] = [
-    Limits { degree: 9, turn: 0.5, roundness: 0.09 },
-    Limits { degree: 10, turn: 0.2, roundness: 0.02 },
-    Limits { degree: 12, turn: 0.0, roundness: 0.001 },
-    Limits { degree: 24, turn: -1.0, roundness: 0.0 },
-    Limits { degree: u32::MAX, turn: -1.0, roundness: 0.0 },
+    limits(9, 0.5, 0.09),
+    limits(10, 0.2, 0.02),
+    limits(12, 0.0, 0.001),
+    any_triangle(24),
+    any_triangle(u32::MAX),
 ];
 
 impl Limits {
-    /// Whether nothing is asked of triangles.
-    pub fn any_triangle(&self) -> bool {
-        self.turn <= -1.0
-    }
-
-    /// Whether the triangle from the side `side` to an apex may become `after` where it was `before`
-    /// and the worst squared roundness round the edge was `worst`.
+    /// Whether a triangle `before` may become `after` as far as its normal goes.
     #[inline]
-    pub fn allow(&self, before: &Face, after: &Face, worst: f64) -> bool {
+    pub fn allow_turn(&self, before: &Face, after: &Face) -> bool {
         let turned = dot(before.normal, after.normal);
         let product = square(before.normal) * square(after.normal);
         // A triangle without area has no normal to turn.
-        let turns_little = product == 0.0
-            || (turned > 0.0 && turned * turned >= self.turn * self.turn * product);
-        turns_little && after.roundness >= self.roundness.min(worst)
+        product == 0.0 || (turned > 0.0 && turned * turned >= self.turn * self.turn * product)
     }
 }
 

@@ -88,9 +88,10 @@ mod tests {
                 let least = (0..keys.len()).min_by_key(|&item| keys[item]);
                 let first = least.map(|item| (item, keys[item]));
                 assert_eq!(tournament.first(), first.filter(|first| first.1 != u32::MAX));
-                let Some(item) = least.filter(|_| random.below(2) == 0).or_else(|| {
-                    (size > 0).then(|| random.below(size) as usize)
-                }) else {
+                let Some(item) = least
+                    .filter(|_| random.below(2) == 0)
+                    .or_else(|| (size > 0).then(|| random.below(size) as usize))
+                else {
                     break;
                 };
                 keys[item] = if random.below(3) == 0 { u32::MAX } else { random.below(90) };
