@@ -14,6 +14,7 @@
 //! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
 //! | [`pairing`] | initial pairings: SG, PS, ours | section 3 |
 //! | [`quadrangulation`] | the quads, and a check that trusts nothing | section 2 |
+//! | [`simplify`] | fewer vertices, exactly as many as asked for, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |
 //! | `report` | pictures of meshes (feature `report`) | figures |
 //!

@@ -1,19 +1,17 @@
 //! `triquad convert`.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser;
 use serde::Serialize;
-use triquad::atomic_file::AtomicFile;
 use triquad::clock::{Clock, SystemClock};
-use triquad::mesh::{FaceList, Output};
 use triquad::{Algorithm, Augmentation, ConvertError, Settings, Summary, convert_list};
 
 use super::input::{self, Repairs};
 use super::progress::StatusLine;
-use super::{Failure, machine, stdio};
+use super::targets::{Paths, Targets};
+use super::{Failure, machine};
 
 /// Convert a closed triangle mesh into quads on the same vertices
 ///
@@ -100,7 +98,11 @@ struct Stats<'a> {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let clock = SystemClock::default();
     let mut status = StatusLine::new("reading the mesh");
-    let mut targets = Targets::open(arguments)?;
+    let mut targets = Targets::open(Paths {
+        input: &arguments.input,
+        output: arguments.output.as_deref(),
+        stats: arguments.stats.as_deref(),
+    })?;
     let (list, read_seconds) = clock.time(|| input::read(&arguments.input));
     let mut list = list?;
     if arguments.repairs.triangulate {
@@ -115,7 +117,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (quads, summary) =
         converted.map_err(|error| conversion_failure(&arguments.input, &error))?;
     status.say("writing the quads");
-    let (written, write_seconds) = clock.time(|| targets.write_quads(&quads));
+    let (written, write_seconds) = clock.time(|| targets.write_mesh(&quads));
     written?;
     drop(status);
     let stats = stats(arguments, &summary, &quads.left_out, read_seconds, write_seconds);
@@ -130,104 +132,6 @@ fn conversion_failure(input: &Path, error: &ConvertError) -> Failure {
         ConvertError::Refused(survey) => input::refusal(input, survey),
         ConvertError::Wrong(_) => Failure::no(format!("{}: {error}", input.display())),
     }
-}
-
-/// The files to be written, opened before the work starts.
-struct Targets<'a> {
-    arguments: &'a Arguments,
-    quads: Option<Output>,
-    stats: Option<AtomicFile>,
-}
-
-impl<'a> Targets<'a> {
-    fn open(arguments: &'a Arguments) -> Result<Self, Failure> {
-        let open_quads = |path: &PathBuf| {
-            Output::create(path).map_err(|error| input::mesh_failure(path, &error))
-        };
-        let open_stats =
-            |path: &PathBuf| AtomicFile::create(path).map_err(|error| stats_failure(path, &error));
-        refuse_shared_files(arguments)?;
-        Ok(Self {
-            arguments,
-            quads: arguments.output.as_ref().map(open_quads).transpose()?,
-            stats: arguments
-                .stats
-                .as_ref()
-                .filter(|path| path.as_os_str() != "-")
-                .map(open_stats)
-                .transpose()?,
-        })
-    }
-
-    fn write_quads(&mut self, quads: &FaceList) -> Result<(), Failure> {
-        match (self.quads.take(), &self.arguments.output) {
-            (Some(output), Some(path)) => {
-                output.write(quads).map_err(|error| input::mesh_failure(path, &error))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    fn write_stats(&mut self, stats: &Stats<'_>) -> Result<(), Failure> {
-        let Some(path) = &self.arguments.stats else { return Ok(()) };
-        let json = serde_json::to_string_pretty(stats)
-            .map_err(|error| Failure::bad(format!("{}: {error}", path.display())))?;
-        match self.stats.take() {
-            None => stdio::say(&json),
-            Some(mut file) => {
-                let written = writeln!(file, "{json}").and_then(|()| file.commit());
-                written.map_err(|error| stats_failure(path, &error))
-            }
-        }
-    }
-
-    /// Says the summary where it does not mix with what was asked for on standard output.
-    fn report(&self, line: &str) -> Result<(), Failure> {
-        if is_stdio(self.arguments.output.as_ref()) || is_stdio(self.arguments.stats.as_ref()) {
-            stdio::complain(line);
-            Ok(())
-        } else {
-            stdio::say(line)
-        }
-    }
-}
-
-/// Statistics may neither mix with the quads nor replace them or the input.
-fn refuse_shared_files(arguments: &Arguments) -> Result<(), Failure> {
-    let Some(stats) = &arguments.stats else { return Ok(()) };
-    let same = |path: &PathBuf| identity(path).is_some_and(|one| Some(one) == identity(stats));
-    if is_stdio(Some(stats)) {
-        return match &arguments.output {
-            Some(output) if output == stats => Err(Failure::bad(
-                "-o - and --stats - would mix on standard output; send one of them to a file"
-                    .into(),
-            )),
-            _ => Ok(()),
-        };
-    }
-    if same(&arguments.input) || arguments.output.as_ref().is_some_and(same) {
-        let problem =
-            "--stats would overwrite the mesh of the same name; give it a file of its own";
-        return Err(Failure::bad(format!("{}: {problem}", stats.display())));
-    }
-    Ok(())
-}
-
-/// The file that `path` means, whichever way there it takes.
-fn identity(path: &Path) -> Option<PathBuf> {
-    let through_folder = || {
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-        Some(folder.unwrap_or(Path::new(".")).canonicalize().ok()?.join(path.file_name()?))
-    };
-    path.canonicalize().ok().or_else(through_folder)
-}
-
-fn is_stdio(path: Option<&PathBuf>) -> bool {
-    path.is_some_and(|path| path.as_os_str() == "-")
-}
-
-fn stats_failure(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::bad(format!("{}: {error}; check the path and its permissions", path.display()))
 }
 
 fn stats<'a>(

@@ -37,12 +37,17 @@ pub fn read_triangulation(
     repairs: Repairs,
 ) -> Result<(FaceList, Triangulation), Failure> {
     let mut list = read(path)?;
+    let triangulation = build(path, &mut list, repairs)?;
+    Ok((list, triangulation))
+}
+
+/// Makes sure that a mesh read from `path` is a triangulation of closed surfaces.
+pub fn build(path: &Path, list: &mut FaceList, repairs: Repairs) -> Result<Triangulation, Failure> {
     if repairs.triangulate {
         list.triangulate();
     }
-    let triangulation = Triangulation::build_oriented(&mut list, repairs.orient);
-    let triangulation = triangulation.map_err(|survey| refusal(path, &survey))?;
-    Ok((list, triangulation))
+    let triangulation = Triangulation::build_oriented(list, repairs.orient);
+    triangulation.map_err(|survey| refusal(path, &survey))
 }
 
 /// A file that could not be read or written.

@@ -9,7 +9,9 @@ mod info;
 mod input;
 mod machine;
 mod progress;
+mod simplify;
 mod stdio;
+mod targets;
 
 use std::process::ExitCode;
 
@@ -38,6 +40,7 @@ enum Verb {
     Convert(convert::Arguments),
     Check(check::Arguments),
     Info(info::Arguments),
+    Simplify(simplify::Arguments),
 }
 
 /// Why a verb ends without success: an exit code and a line for standard error.
@@ -76,6 +79,7 @@ pub fn main() -> ExitCode {
         Verb::Convert(arguments) => convert::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Info(arguments) => info::run(&arguments),
+        Verb::Simplify(arguments) => simplify::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,0 +1,113 @@
+//! The files that a verb writes: opened before the work starts, complete or absent afterwards.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use triquad::atomic_file::AtomicFile;
+use triquad::mesh::{FaceList, Output};
+
+use super::{Failure, input, stdio};
+
+/// What is read and what is written; `-` is standard input or output.
+#[derive(Clone, Copy)]
+pub struct Paths<'a> {
+    pub input: &'a Path,
+    pub output: Option<&'a Path>,
+    pub stats: Option<&'a Path>,
+}
+
+/// A mesh and statistics to be written.
+pub struct Targets<'a> {
+    paths: Paths<'a>,
+    mesh: Option<Output>,
+    stats: Option<AtomicFile>,
+}
+
+impl<'a> Targets<'a> {
+    /// Makes sure that the files can be written and are not each other.
+    pub fn open(paths: Paths<'a>) -> Result<Self, Failure> {
+        refuse_shared_files(paths)?;
+        let open_mesh =
+            |path: &Path| Output::create(path).map_err(|error| input::mesh_failure(path, &error));
+        let open_stats =
+            |path: &Path| AtomicFile::create(path).map_err(|error| stats_failure(path, &error));
+        Ok(Self {
+            paths,
+            mesh: paths.output.map(open_mesh).transpose()?,
+            stats: paths.stats.filter(|&path| !is_stdio(path)).map(open_stats).transpose()?,
+        })
+    }
+
+    /// Writes the mesh, if it was asked for.
+    pub fn write_mesh(&mut self, mesh: &FaceList) -> Result<(), Failure> {
+        match (self.mesh.take(), self.paths.output) {
+            (Some(output), Some(path)) => {
+                output.write(mesh).map_err(|error| input::mesh_failure(path, &error))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes the statistics as JSON, if they were asked for.
+    pub fn write_stats(&mut self, stats: &impl Serialize) -> Result<(), Failure> {
+        let Some(path) = self.paths.stats else { return Ok(()) };
+        let json = serde_json::to_string_pretty(stats)
+            .map_err(|error| Failure::bad(format!("{}: {error}", path.display())))?;
+        match self.stats.take() {
+            None => stdio::say(&json),
+            Some(mut file) => {
+                let written = writeln!(file, "{json}").and_then(|()| file.commit());
+                written.map_err(|error| stats_failure(path, &error))
+            }
+        }
+    }
+
+    /// Says the summary where it does not mix with what was asked for on standard output.
+    pub fn report(&self, line: &str) -> Result<(), Failure> {
+        if self.paths.output.is_some_and(is_stdio) || self.paths.stats.is_some_and(is_stdio) {
+            stdio::complain(line);
+            Ok(())
+        } else {
+            stdio::say(line)
+        }
+    }
+}
+
+/// Statistics may neither mix with the mesh nor replace it or the input.
+fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
+    let Some(stats) = paths.stats else { return Ok(()) };
+    let same = |path: &Path| identity(path).is_some_and(|one| Some(one) == identity(stats));
+    if is_stdio(stats) {
+        return match paths.output {
+            Some(output) if output == stats => Err(Failure::bad(
+                "-o - and --stats - would mix on standard output; send one of them to a file"
+                    .into(),
+            )),
+            _ => Ok(()),
+        };
+    }
+    if same(paths.input) || paths.output.is_some_and(same) {
+        let problem =
+            "--stats would overwrite the mesh of the same name; give it a file of its own";
+        return Err(Failure::bad(format!("{}: {problem}", stats.display())));
+    }
+    Ok(())
+}
+
+/// The file that `path` means, whichever way there it takes.
+fn identity(path: &Path) -> Option<PathBuf> {
+    let through_folder = || {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        Some(folder.unwrap_or(Path::new(".")).canonicalize().ok()?.join(path.file_name()?))
+    };
+    path.canonicalize().ok().or_else(through_folder)
+}
+
+fn is_stdio(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+fn stats_failure(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::bad(format!("{}: {error}; check the path and its permissions", path.display()))
+}
