@@ -12,6 +12,7 @@ use std::process::{Child, Command, Stdio};
 use common::{beside, face_list, random_of};
 use serde_json::Value;
 use tempfile::TempDir;
+use triquad::Law;
 use triquad::mesh::{self, FaceList, Faces, Format, Output};
 use triquad_generators::random::Mix;
 use triquad_generators::{Surface, classic, grids};
@@ -794,6 +795,8 @@ fn wrong_usage_ends_with_2() {
         ("convert in.obj --seed -1", "-1"),
         ("check in.obj", "--against"),
         ("info in.obj --xml", "--xml"),
+        ("simplify in.obj", "--vertices"),
+        ("simplify in.obj --vertices few", "few"),
     ];
     for (arguments, named) in table {
         let run = workshop.run(arguments);
@@ -802,9 +805,96 @@ fn wrong_usage_ends_with_2() {
         assert!(run.stdout.is_empty(), "{arguments}: {run:?}");
         assert!(arguments.is_empty() || run.stderr.lines().count() == 1, "{arguments}: {run:?}");
     }
-    for arguments in ["--help", "--version", "convert --help", "check --help", "info --help"] {
+    for arguments in
+        ["--help", "--version", "convert --help", "check --help", "info --help", "simplify --help"]
+    {
         assert!(!workshop.succeed(arguments).is_empty());
     }
+}
+
+// What simplify does.
+
+const SIMPLIFY_FIELDS: [&str; 19] = [
+    "schema",
+    "input",
+    "vertices",
+    "edges",
+    "triangles",
+    "genus",
+    "components",
+    "result_vertices",
+    "result_edges",
+    "result_triangles",
+    "contractions",
+    "largest_degree",
+    "smallest_angle_degrees",
+    "largest_angle_degrees",
+    "read_seconds",
+    "build_seconds",
+    "seconds",
+    "write_seconds",
+    "peak_memory_bytes",
+];
+
+#[test]
+fn simplify_leaves_as_many_vertices_as_asked_for() {
+    let workshop = Workshop::new();
+    workshop.put_surface("in.ply", &grids::torus(20, 15));
+    let summary = workshop.succeed("simplify in.ply --vertices 77 -o out.obj --stats stats.json");
+    let parts = ["in.ply -> out.obj: 300 -> 77 vertices, 154 triangles (genus 1)", "degree"];
+    assert_contains(&summary, &parts, "summary");
+    let info = workshop.json("info out.obj --json", 0);
+    for (field, expected) in [("vertices", 77), ("triangles", 154), ("genus", 1)] {
+        assert_eq!(info[field], expected, "{field}");
+    }
+    let stats: Value = serde_json::from_slice(&workshop.get("stats.json")).unwrap();
+    assert_has_fields(&stats, &SIMPLIFY_FIELDS);
+    let counts = [
+        ("vertices", 300),
+        ("edges", 900),
+        ("triangles", 600),
+        ("genus", 1),
+        ("components", 1),
+        ("result_vertices", 77),
+        ("result_edges", 231),
+        ("result_triangles", 154),
+        ("contractions", 223),
+    ];
+    for (field, expected) in counts {
+        assert_eq!(stats[field], expected, "{field}");
+    }
+    // The library's bytes, whichever way in and out.
+    let piped = workshop.run_with_input(
+        "simplify - --vertices 77 -o -",
+        &bytes_of(&grids::torus(20, 15), Format::Obj),
+    );
+    assert_eq!((piped.code, piped.stdout), (Some(0), workshop.get("out.obj")));
+    assert_contains(&piped.stderr, &["77 vertices"], "summary");
+}
+
+#[test]
+fn simplify_refuses_what_cannot_be() {
+    let workshop = Workshop::new();
+    workshop.put_surface("in.obj", &classic::seven_vertex_torus());
+    let line = workshop.fail("simplify in.obj --vertices 8 -o out.obj --stats s.json", 2);
+    assert_contains(&line, &["in.obj: 8 vertices wanted", "ask for 7 or fewer"], "too many");
+    let line = workshop.fail("simplify in.obj --vertices 6 -o out.obj --stats s.json", 2);
+    assert_contains(&line, &["in.obj: 6 vertices wanted", "ask for 7 or more"], "too few");
+    workshop.put("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let line = workshop.fail("simplify open.obj --vertices 3 -o out.obj", 2);
+    assert_contains(&line, &["open.obj", Law::NoBoundary.name()], "open");
+}
+
+#[test]
+fn simplify_tells_what_it_does_not_carry_over() {
+    let workshop = Workshop::new();
+    workshop.put("in.obj", format!("{TETRAHEDRON}g rest\n{}", tetrahedron_of([5, 6, 7, 8])));
+    let vertices = "v 3 0 0\nv 4 0 0\nv 3 1 0\nv 3 0 1\n";
+    let mesh = workshop.get("in.obj");
+    workshop.put("in.obj", [vertices.as_bytes(), &mesh].concat());
+    let run = workshop.run("simplify in.obj --vertices 8 -o out.obj");
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert_contains(&run.stderr, &["not carried over", "groups"], "note");
 }
 
 // What the check finds.

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use triquad::clock::SystemClock;
 use triquad::mesh::{self, FaceList};
 use triquad::random::Random;
+use triquad::simplify::{Shape, Simplifier};
 use triquad::{Algorithm, Law, Settings, Summary, Survey, Triangulation, check, convert_list};
 
 /// The folder of real meshes and what its catalogue says of each.
@@ -129,6 +130,29 @@ fn every_closed_mesh_is_converted_by_every_algorithm() {
             assert_eq!(counts, expected, "{what}");
             assert_eq!(summary.components, 1, "{what}");
         }
+    }
+}
+
+#[test]
+fn every_closed_mesh_is_simplified_to_a_tenth() {
+    let Some(catalogue) = Catalogue::open() else { return };
+    for entry in catalogue.in_folder("closed") {
+        let file = entry.file();
+        let list = catalogue.read(file);
+        let triangulation = Triangulation::build(&list).unwrap();
+        let vertices = triangulation.vertex_count().div_ceil(10).max(26 * entry.count("genus"));
+        let mut simplifier = Simplifier::new(triangulation, &list.positions);
+        // No irreducible triangulation of genus g > 0 has more than 26g - 4 vertices.
+        let wanted = vertices.min(simplifier.vertex_count());
+        simplifier.reduce_to(wanted).unwrap_or_else(|error| panic!("{file}: {error}"));
+        let (list, told) = simplifier.result();
+        let built = Triangulation::build(&list).unwrap_or_else(|survey| panic!("{file}: {survey}"));
+        assert_eq!(built, told, "{file}");
+        assert_eq!((built.vertex_count(), built.genus()), (wanted, entry.count("genus")), "{file}");
+        let shape = Shape::of(&built, &list);
+        let angles = [shape.smallest_angle(), shape.largest_angle()];
+        println!("{file}: {wanted} vertices, degree {}, {angles:.1?}", shape.largest_degree);
+        assert!(shape.largest_degree <= 24, "{file}: {shape:?}");
     }
 }
 

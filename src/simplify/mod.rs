@@ -158,15 +158,15 @@ impl Simplifier {
     /// Contracts an edge, or says when to try again.
     fn attempt(&mut self, h: HalfEdgeId, key: u32) {
         let stage = key::stage(key);
-        let limits = &STAGES[stage];
-        let later = if !self.degrees_allow(h, limits) {
-            key::later(key)
-        } else if !self.triangulation.is_contractible(h, &mut self.marks) {
-            Tournament::ABSENT
-        } else if let Some(point) = self.allowed_point(h, stage) {
-            return self.contract(h, point);
-        } else {
-            key::later(key)
+        // The link condition comes last: it seldom fails where the rest holds.
+        let allowed = self.degrees_allow(h, &STAGES[stage]);
+        let point = if allowed { self.allowed_point(h, stage) } else { None };
+        let later = match point {
+            Some(point) if self.triangulation.is_contractible(h, &mut self.marks) => {
+                return self.contract(h, point);
+            }
+            Some(_) => Tournament::ABSENT,
+            None => key::later(key),
         };
         self.queue.set(h.index(), later);
         for v in [self.triangulation.origin(h), self.triangulation.destination(h)] {
@@ -250,8 +250,8 @@ impl Simplifier {
         for h in self.triangulation.spokes(u) {
             let twin = self.triangulation.twin(h);
             self.queue.set(h.max(twin).index(), Tournament::ABSENT);
-            self.queue
-                .set(h.min(twin).index(), price(&self.triangulation, &self.points, h.min(twin)));
+            let key = price(&self.triangulation, &self.points, h.min(twin));
+            self.queue.set(h.min(twin).index(), key);
         }
         self.has_refused[u] = false;
     }
