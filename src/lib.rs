@@ -16,6 +16,7 @@
 //! | [`quadrangulation`] | the quads, and a check that trusts nothing | section 2 |
 //! | [`simplify`] | fewer vertices, exactly as many as asked for, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |
+//! | `generate` | boxes, hierarchies and stand-ins, the papers' meshes by name (feature `generate`) | section 4 |
 //! | `report` | pictures of meshes (feature `report`) | figures |
 //!
 //! A module uses only what stands above it. One type per stage is the proof that the stage before
@@ -27,6 +28,8 @@ pub mod clock;
 pub mod convert;
 mod disjoint_sets;
 pub mod dual;
+#[cfg(feature = "generate")]
+pub mod generate;
 pub mod mesh;
 pub mod pairing;
 mod prefetch;

@@ -149,7 +149,7 @@ fn every_closed_mesh_is_simplified_to_a_tenth() {
         let built = Triangulation::build(&list).unwrap_or_else(|survey| panic!("{file}: {survey}"));
         assert_eq!(built, told, "{file}");
         assert_eq!((built.vertex_count(), built.genus()), (wanted, entry.count("genus")), "{file}");
-        let shape = Shape::of(&built, &list);
+        let shape = Shape::of(&list);
         let angles = [shape.smallest_angle(), shape.largest_angle()];
         println!("{file}: {wanted} vertices, degree {}, {angles:.1?}", shape.largest_degree);
         assert!(shape.largest_degree <= 24, "{file}: {shape:?}");

@@ -5,6 +5,7 @@
 
 mod check;
 mod convert;
+mod generate;
 mod info;
 mod input;
 mod machine;
@@ -40,6 +41,7 @@ enum Verb {
     Convert(convert::Arguments),
     Check(check::Arguments),
     Info(info::Arguments),
+    Generate(generate::Arguments),
     Simplify(simplify::Arguments),
 }
 
@@ -79,6 +81,7 @@ pub fn main() -> ExitCode {
         Verb::Convert(arguments) => convert::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Info(arguments) => info::run(&arguments),
+        Verb::Generate(arguments) => generate::run(&arguments),
         Verb::Simplify(arguments) => simplify::run(&arguments),
     };
     match result {

@@ -159,7 +159,7 @@ impl Stats {
 
     /// What the result is like.
     fn describe(&mut self, list: &FaceList, triangulation: &Triangulation) {
-        let shape = Shape::of(triangulation, list);
+        let shape = Shape::of(list);
         self.result_vertices = triangulation.vertex_count();
         self.result_edges = triangulation.edge_count();
         self.result_triangles = triangulation.triangle_count();

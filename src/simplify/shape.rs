@@ -2,7 +2,6 @@
 
 use super::vector::{Vector, cross, difference, dot, square};
 use crate::mesh::FaceList;
-use crate::triangulation::{Id, Triangulation};
 
 /// What a contraction must keep to; relaxed in stages where nothing else is left.
 #[derive(Clone, Copy, Debug)]
@@ -78,13 +77,17 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Measures the triangles of `triangulation`, built from `list`. The angles of triangles with
-    /// sides of no length are taken for 0 and 180 degrees. O(n).
-    pub fn of(triangulation: &Triangulation, list: &FaceList) -> Self {
-        let mut degrees = vec![0u32; triangulation.vertex_id_count()];
+    /// Measures the triangles of `list`. The angles of triangles with sides of no length are taken for
+    /// 0 and 180 degrees. O(n).
+    ///
+    /// # Panics
+    /// If `list` holds anything but triangles of its vertices.
+    pub fn of(list: &FaceList) -> Self {
+        assert_eq!(list.faces.arity(), Some(3), "only triangles have a shape");
+        let mut degrees = vec![0u32; list.positions.len()];
         let (mut smallest, mut largest) = (-1.0f64, 1.0f64);
-        for f in triangulation.triangles() {
-            let corners = triangulation.corners(f).map(Id::index);
+        for corners in list.faces.corners().as_chunks::<3>().0 {
+            let corners = corners.map(|v| v as usize);
             corners.iter().for_each(|&v| degrees[v] += 1);
             let [p, q, r] = corners.map(|v| list.positions[v]);
             let cosines = [cosine_at(p, q, r), cosine_at(q, r, p), cosine_at(r, p, q)];
