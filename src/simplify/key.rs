@@ -1,4 +1,4 @@
-//! Keys by which edges wait in the [`Tournament`]: the stage first, then the cost, and among edges
+//! Keys by which edges wait in the tournament: the stage first, then the cost, and among edges
 //! of nearly equal cost a shuffled order of neighbourhoods.
 
 use super::shape::STAGES;

@@ -3,7 +3,7 @@
 //! Metrics*, SIGGRAPH 1997) where the link condition holds. Stands in for the tool that made A2 to
 //! A5 of A1 and B2 to B5 of B1 (Lemos et al., section 4, Table 4.2).
 //!
-//! Edges wait in a [`Tournament`]. A contraction prices the edges of the vertex that it leaves anew;
+//! Edges wait in a tournament tree. A contraction prices the edges of the vertex that it leaves anew;
 //! an edge that is refused for its triangles or degrees waits behind all others until something
 //! changes near it, or until nothing better is left.
 

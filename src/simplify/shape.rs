@@ -10,7 +10,7 @@ pub struct Limits {
     pub degree: u32,
     /// Least cosine of the angle by which a triangle may turn.
     turn: f64,
-    /// Least [`Face::roundness`], unless one was less before.
+    /// Least `Face::roundness`, unless one was less before.
     pub roundness: f64,
     /// Whether nothing is asked of triangles.
     pub any_triangle: bool,
