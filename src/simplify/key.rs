@@ -1,5 +1,5 @@
-//! Keys by which edges wait in the tournament: the stage first, then the cost, and among edges
-//! of nearly equal cost a shuffled order of neighbourhoods.
+//! Keys by which edges wait in the tournament: the stage first, then the cost, and edges of nearly
+//! equal cost in shuffled order.
 
 use super::shape::STAGES;
 use super::tournament::Tournament;
@@ -10,20 +10,15 @@ const STAGE_BIT: u32 = 29;
 /// Bits below those of the cost, which keep its exponent and 3 bits of its fraction.
 const TIE_BITS: u32 = 18;
 
-/// Half-edges whose numbers differ only below this bit are neighbours.
-const NEIGHBOURS_BIT: u32 = 10;
-
 /// The key of edge `edge` at this cost before it has been refused.
 ///
-/// Costs that agree to an eighth count as equal. Then neighbours in memory go together, which is
-/// twice as fast, while the neighbourhoods themselves are shuffled (by Knuth's multiplicative hash):
-/// in the order of the file, a regular grid would be thinned out row by row and stay regular.
+/// Costs that agree to an eighth count as equal, and such edges are shuffled (by a multiplicative
+/// hash): in the order of the file, a regular grid would be thinned out row by row and stay regular.
 #[inline]
 pub fn first(cost: f64, edge: usize) -> u32 {
     // Written so that a cost which is no number is the highest.
     let cost = if cost < f64::from(f32::MAX) { cost as f32 } else { f32::MAX };
-    let neighbourhood = (edge >> NEIGHBOURS_BIT) as u32;
-    let hash = (neighbourhood + 1).wrapping_mul(0x9e37_79b1);
+    let hash = (edge as u32 + 1).wrapping_mul(0x9e37_79b1);
     let hash = (hash ^ (hash >> 15)).wrapping_mul(0x85eb_ca77);
     // A positive number compares like its bits; the sign bit is not needed.
     let cost = cost.to_bits() >> (31 - STAGE_BIT + TIE_BITS);
@@ -47,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn stages_come_before_costs_and_costs_before_neighbourhoods() {
+    fn stages_come_before_costs_and_costs_before_the_shuffle() {
         let costs = [0.0, 1e-30, 1e-12, 1.0, 1.2, 7e9, f64::MAX];
         for edges in [[5, 100_000_000], [100_000_000, 5]] {
             for pair in costs.windows(2) {
@@ -57,7 +52,8 @@ mod tests {
             }
         }
         assert_eq!(first(f64::NAN, 3), first(f64::INFINITY, 3));
-        assert_eq!(first(1.0, 1024), first(1.0, 2047));
+        assert_eq!(first(1.0, 5) >> TIE_BITS, first(1.1, 6) >> TIE_BITS);
+        assert!((0..1000).any(|edge| first(1.0, edge) > first(1.0, edge + 1)));
         let last = (1..STAGES.len()).fold(first(f64::NAN, 3), |key, _| later(key));
         assert_eq!((stage(last), later(last)), (STAGES.len() - 1, Tournament::ABSENT));
     }

@@ -1,8 +1,8 @@
 //! A priority queue over numbered items that is a tree of minima.
 //!
 //! Sixteen keys fill a cache line and are compared at once; above each sixteen stands their least.
-//! A new key climbs only as far as it changes a minimum, mostly not at all, and neighbouring items
-//! share their lines. Heaps were left aside: they scatter neighbours and need the place of each item.
+//! A new key climbs only as far as it changes a minimum, mostly not at all, and no array tells where
+//! an item waits, as a heap would need.
 
 const WIDTH: usize = 16;
 
