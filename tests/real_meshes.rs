@@ -140,9 +140,9 @@ fn every_closed_mesh_is_simplified_to_a_tenth() {
         let file = entry.file();
         let list = catalogue.read(file);
         let triangulation = Triangulation::build(&list).unwrap();
-        let vertices = triangulation.vertex_count().div_ceil(10).max(26 * entry.count("genus"));
+        let vertices = triangulation.vertex_count().div_ceil(10).max(60 * entry.count("genus"));
         let mut simplifier = Simplifier::new(triangulation, &list.positions);
-        // No irreducible triangulation of genus g > 0 has more than 26g - 4 vertices.
+        // Far from the 26g - 4 vertices that an irreducible triangulation of genus g may have.
         let wanted = vertices.min(simplifier.vertex_count());
         simplifier.reduce_to(wanted).unwrap_or_else(|error| panic!("{file}: {error}"));
         let (list, told) = simplifier.result();
@@ -152,7 +152,7 @@ fn every_closed_mesh_is_simplified_to_a_tenth() {
         let shape = Shape::of(&list);
         let angles = [shape.smallest_angle(), shape.largest_angle()];
         println!("{file}: {wanted} vertices, degree {}, {angles:.1?}", shape.largest_degree);
-        assert!(shape.largest_degree <= 24, "{file}: {shape:?}");
+        assert!(shape.largest_degree <= 12, "{file}: {shape:?}");
     }
 }
 
