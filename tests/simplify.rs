@@ -266,7 +266,7 @@ fn a_simplified_grid_is_not_regular() {
         100 * degrees.iter().filter(|&&degree| degree != 6).count() / vertices
     };
     let percents = [8000, 6000, 4000].map(irregular_percent);
-    assert!(percents[0] == 0 && percents[1] >= 30 && percents[2] >= 50, "{percents:?}");
+    assert!(percents[0] == 0 && percents[1] >= 20 && percents[2] >= 40, "{percents:?}");
 }
 
 #[test]
