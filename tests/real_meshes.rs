@@ -141,7 +141,7 @@ fn every_closed_mesh_is_simplified_to_a_tenth() {
         let list = catalogue.read(file);
         let triangulation = Triangulation::build(&list).unwrap();
         let vertices = triangulation.vertex_count().div_ceil(10).max(60 * entry.count("genus"));
-        let largest_degree = Shape::of(&triangulation, &list).largest_degree;
+        let largest_degree = Shape::of(&list).largest_degree;
         let mut simplifier = Simplifier::new(triangulation, &list.positions);
         // Far from the 26g - 4 vertices that an irreducible triangulation of genus g may have.
         let wanted = vertices.min(simplifier.vertex_count());
