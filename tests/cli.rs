@@ -897,6 +897,60 @@ fn simplify_tells_what_it_does_not_carry_over() {
     assert_contains(&run.stderr, &["not carried over", "groups"], "note");
 }
 
+// What generate makes.
+
+#[test]
+fn boxes_are_made_to_order() {
+    let workshop = Workshop::new();
+    let wanted = "generate box --vertices 1000 --cavities 3 --holes 2";
+    let line = workshop.succeed(&format!("{wanted} -o box.obj"));
+    assert_contains(&line, &["box.obj", "1000 vertices", "2004 triangles", "genus 2"], wanted);
+    let report = workshop.json("info box.obj --json", 0);
+    assert_eq!((&report["vertices"], &report["genus"]), (&1000.into(), &2.into()));
+    workshop.succeed(&format!("{wanted} --seed 5 -o again.obj"));
+    assert_eq!(workshop.get("box.obj"), workshop.get("again.obj"));
+    let printed = workshop.run(&format!("{wanted} -o -"));
+    assert_eq!((printed.code, printed.stdout), (Some(0), workshop.get("box.obj")));
+}
+
+#[test]
+fn stand_ins_are_kept_in_the_cache() {
+    let workshop = Workshop::new();
+    let wanted = "generate stand-in --vertices 700 --genus 3 --cache kept";
+    workshop.succeed(&format!("{wanted} -o one.ply"));
+    assert_eq!(workshop.path("kept").read_dir().unwrap().count(), 1);
+    workshop.succeed(&format!("{wanted} --seed 0 -o same.ply"));
+    assert_eq!(workshop.path("kept").read_dir().unwrap().count(), 1);
+    workshop.succeed(&format!("{wanted} --seed 1 -o other.ply"));
+    assert_eq!(workshop.get("one.ply"), workshop.get("same.ply"));
+    assert_ne!(workshop.get("one.ply"), workshop.get("other.ply"));
+    let report = workshop.json("info one.ply --json", 0);
+    assert_eq!((&report["vertices"], &report["genus"]), (&700.into(), &3.into()));
+}
+
+#[test]
+fn the_papers_meshes_are_made_by_name() {
+    let workshop = Workshop::new();
+    workshop.succeed("generate paper socket --cache kept -o socket.off");
+    let report = workshop.json("info socket.off --json", 0);
+    assert_eq!((&report["triangles"], &report["genus"]), (&1696.into(), &7.into()));
+    let line = workshop.fail("generate paper A9 -o a9.obj", 2);
+    assert_contains(&line, &["A9", "ir-B4"], "an unknown name");
+}
+
+#[test]
+fn what_cannot_be_made_is_refused_with_the_minimum() {
+    let workshop = Workshop::new();
+    let line = workshop.fail("generate box --vertices 31 --holes 1 -o box.obj", 2);
+    assert_contains(&line, &["at least 32 vertices, not 31"], "too small a box");
+    let line = workshop.fail("generate stand-in --vertices 8 --genus 2 -o no.obj --cache k", 2);
+    assert_contains(&line, &["8 vertices wanted", "ask for more"], "too small a stand-in");
+    let line = workshop.fail("generate box --vertices 100 -o box.xyz", 2);
+    assert_contains(&line, &["box.xyz"], "an unknown format");
+    let line = workshop.fail("generate box --vertices 100", 2);
+    assert_contains(&line, &["--output"], "no target");
+}
+
 // What the check finds.
 
 /// The vertices of `mesh` with its faces changed.
