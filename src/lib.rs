@@ -10,6 +10,7 @@
 //! |---|---|---|
 //! | [`mesh`] | files: OBJ, PLY, OFF, STL → [`FaceList`](mesh::FaceList), unchecked | |
 //! | [`triangulation`] | half-edges, and the laws that make a face list a triangulation | section 2 |
+//! | [`irreducible`] | contraction until nothing can be contracted: RS, Schipper's, brute force | |
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
 //! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
 //! | [`pairing`] | initial pairings: SG, PS, ours | section 3 |
@@ -30,6 +31,7 @@ mod disjoint_sets;
 pub mod dual;
 #[cfg(feature = "generate")]
 pub mod generate;
+pub mod irreducible;
 pub mod mesh;
 pub mod pairing;
 mod prefetch;

@@ -7,9 +7,11 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use triquad::clock::SystemClock;
+use triquad::irreducible::{Method, Order};
 use triquad::mesh::{self, FaceList};
 use triquad::random::Random;
 use triquad::simplify::{Shape, Simplifier};
+use triquad::triangulation::{HalfEdgeId, Id, LinkMarks, ShrinkingTriangulation};
 use triquad::{Algorithm, Law, Settings, Summary, Survey, Triangulation, check, convert_list};
 
 /// The folder of real meshes and what its catalogue says of each.
@@ -185,6 +187,30 @@ fn greedy_pairings_of_scans_are_as_good_as_published() {
         seen += 1;
     }
     assert!(seen > 0, "the catalogue lists no large scan");
+}
+
+#[test]
+fn every_closed_mesh_becomes_irreducible() {
+    let Some(catalogue) = Catalogue::open() else { return };
+    for entry in catalogue.in_folder("closed") {
+        let triangulation = Triangulation::build(&catalogue.read(entry.file())).unwrap();
+        let genus = entry.count("genus");
+        let mut tests = Vec::new();
+        for method in Method::ALL {
+            let what = format!("{} by {method}", entry.file());
+            let result = method.reduce(triangulation.clone(), Order::File, 0);
+            let left = &result.triangulation;
+            assert_eq!((left.genus(), left.component_count()), (genus, 1), "{what}");
+            let allowed = if genus == 0 { 4..=4 } else { 7..=26 * genus - 4 };
+            assert!(allowed.contains(&left.vertex_count()), "{what}: {}", left.vertex_count());
+            let k = ShrinkingTriangulation::of(left.clone());
+            let mut marks = LinkMarks::new(left.vertex_count());
+            let mut edges = (0..2 * left.edge_count()).map(HalfEdgeId::new);
+            assert!(!edges.any(|h| k.is_contractible(h, &mut marks)), "{what}");
+            tests.push(result.counts.link_condition_tests);
+        }
+        println!("{}: genus {genus}, link condition tests {tests:?}", entry.file());
+    }
 }
 
 // Defective meshes.

@@ -121,6 +121,20 @@ impl ShrinkingTriangulation {
         Spokes::round(&self.twin, first)
     }
 
+    /// The apexes of the two triangles at the edge of `h`: first that of the triangle of `h`.
+    #[inline]
+    pub fn apexes(&self, h: HalfEdgeId) -> [VertexId; 2] {
+        [self.origin[h.prev()], self.origin[self.twin[h].prev()]]
+    }
+
+    /// The spokes of the destination of `h`, clockwise, but those to the origin of `h` and to the
+    /// apexes: the ones that contracting `h` moves.
+    #[inline]
+    pub fn far_spokes(&self, h: HalfEdgeId) -> Spokes<'_> {
+        let first = self.twin[h.next()].next();
+        Spokes::between(&self.twin, first, self.twin[self.twin[h].prev()])
+    }
+
     /// Number of vertices left.
     pub fn vertex_count(&self) -> usize {
         self.vertices
@@ -219,8 +233,8 @@ impl ShrinkingTriangulation {
     /// The spokes that the contraction of `receipt`, the last one, has moved to the end that stayed:
     /// those to all former neighbours of the vertex that went, but the other end and the apexes.
     pub fn moved_spokes(&self, receipt: &VertexSplit) -> Spokes<'_> {
-        let e = self.surroundings(receipt.0);
-        Spokes::between(&self.twin, e.ta.next(), e.td)
+        // The triangles at the edge, though removed, still know what surrounds them.
+        self.far_spokes(receipt.0)
     }
 
     /// The vertices that are left, in order, and the triangulation that they and the triangles that
@@ -228,29 +242,38 @@ impl ShrinkingTriangulation {
     pub fn survivors(&self) -> (Vec<VertexId>, Triangulation) {
         let alive = |&v: &VertexId| self.outgoing[v] != HalfEdgeId::NONE;
         let survivors: Vec<VertexId> = self.outgoing.ids().filter(alive).collect();
-        let mut renumbered = IdVec::filled(VertexId::NONE, self.outgoing.len());
+        debug_assert_eq!(survivors.len(), self.vertices);
+        let mut renumbered = IdVec::filled(0, self.outgoing.len());
         for (new, &old) in survivors.iter().enumerate() {
-            renumbered[old] = VertexId::new(new);
+            renumbered[old] = new as u32;
         }
-        let triangles = (0..self.origin.len() / 3).map(TriangleId::new);
-        let left: Vec<TriangleId> = triangles.filter(|&f| self.is_alive(f)).collect();
+        let left = self.triangles_round(&survivors);
         let mut place = IdVec::filled(0, self.origin.len() / 3);
         for (new, &f) in left.iter().enumerate() {
             place[f] = new as u32;
         }
         let sides = || left.iter().flat_map(|f| f.half_edges());
-        let origin: Vec<VertexId> = sides().map(|h| renumbered[self.origin[h]]).collect();
+        let origin = sides().map(|h| VertexId(renumbered[self.origin[h]]));
         let moved = |h: HalfEdgeId| HalfEdgeId(3 * place[h.triangle()] + h.0 % 3);
-        let twin: Vec<HalfEdgeId> = sides().map(|h| moved(self.twin[h])).collect();
-        debug_assert_eq!(survivors.len(), self.vertices);
+        let twin = sides().map(|h| moved(self.twin[h]));
         let triangulation = Triangulation {
-            origin: origin.into(),
-            twin: twin.into(),
+            origin: origin.collect::<Vec<_>>().into(),
+            twin: twin.collect::<Vec<_>>().into(),
             vertices: survivors.len(),
             unreferenced: 0,
             components: self.components,
         };
         (survivors, triangulation)
+    }
+
+    /// The triangles round `vertices`, in order: few where few are left, so that not all those that
+    /// are gone have to be looked at. O(m log m) for m of them.
+    fn triangles_round(&self, vertices: &[VertexId]) -> Vec<TriangleId> {
+        let spokes = vertices.iter().flat_map(|&v| self.spokes(v));
+        let first_sides = spokes.filter(|h| h.0.is_multiple_of(3));
+        let mut triangles: Vec<TriangleId> = first_sides.map(HalfEdgeId::triangle).collect();
+        triangles.sort_unstable();
+        triangles
     }
 
     /// Read from the two triangles at the edge, so that it is the same before and after.

@@ -52,7 +52,7 @@ pub fn special_surfaces() -> Vec<(&'static str, Surface)> {
 
 /// A bipyramid: two vertices of degree `n` each.
 pub fn hub(n: u32) -> Surface {
-    let around = |i: u32| [f64::from(i), f64::from(i * i), 0.0];
+    let around = |i: u32| [f64::from(i), f64::from(i) * f64::from(i), 0.0];
     let positions = (0..n).map(around).chain([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]).collect();
     let pair = |i: u32| [[i, (i + 1) % n, n], [(i + 1) % n, i, n + 1]];
     Surface { positions, triangles: (0..n).flat_map(pair).collect() }

@@ -1,0 +1,143 @@
+//! The lists lue and lte of Ramaswami and Siqueira (section 4.1), linked through arrays.
+
+use super::Discipline;
+use crate::triangulation::{Id, IdVec, VertexId};
+
+/// One of the two lists of edges at the vertex u that is being processed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum List {
+    /// lue: edges not yet tested against the link condition.
+    Untested,
+    /// lte: edges that failed the test.
+    Tested,
+}
+
+/// Both lists; an edge [u, v] is named by v and is in one of them at most. Every operation is O(1).
+///
+/// The lists are rings through one bound each, kept behind the vertices, so that an edge can be
+/// taken out without knowing which list it is in. 8 bytes a vertex.
+#[derive(Debug)]
+pub(super) struct EdgeLists {
+    links: IdVec<VertexId, Links>,
+    vertices: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Links {
+    before: VertexId,
+    after: VertexId,
+}
+
+impl EdgeLists {
+    /// Two empty lists of edges to any of `vertices` vertices. O(n).
+    pub(super) fn new(vertices: usize) -> Self {
+        let unlinked = Links { before: VertexId::NONE, after: VertexId::NONE };
+        let mut lists = Self { links: IdVec::filled(unlinked, vertices + 2), vertices };
+        lists.clear(List::Untested);
+        lists.clear(List::Tested);
+        lists
+    }
+
+    /// Forgets all edges of `list`.
+    pub(super) fn clear(&mut self, list: List) {
+        let bound = self.bound(list);
+        self.links[bound] = Links { before: bound, after: bound };
+    }
+
+    /// The first edge of `list`.
+    #[inline]
+    pub(super) fn front(&self, list: List) -> Option<VertexId> {
+        let bound = self.bound(list);
+        let first = self.links[bound].after;
+        (first != bound).then_some(first)
+    }
+
+    /// Takes the first edge out of `list`.
+    #[inline]
+    pub(super) fn pop_front(&mut self, list: List) -> Option<VertexId> {
+        let first = self.front(list)?;
+        self.remove(first);
+        Some(first)
+    }
+
+    /// Puts an edge that is in no list at the front of `list`.
+    #[inline]
+    pub(super) fn push_front(&mut self, list: List, v: VertexId) {
+        let bound = self.bound(list);
+        let after = self.links[bound].after;
+        self.insert(v, Links { before: bound, after });
+    }
+
+    /// Puts an edge that is in no list at the rear of `list`.
+    #[inline]
+    pub(super) fn push_rear(&mut self, list: List, v: VertexId) {
+        let bound = self.bound(list);
+        let before = self.links[bound].before;
+        self.insert(v, Links { before, after: bound });
+    }
+
+    /// Puts an edge that is new at u among the untested ones, where `discipline` wants it.
+    #[inline]
+    pub(super) fn enter(&mut self, v: VertexId, degree: u32, discipline: Discipline) {
+        if degree == 3 || discipline == Discipline::LastInFirstOut {
+            self.push_front(List::Untested, v);
+        } else {
+            self.push_rear(List::Untested, v);
+        }
+    }
+
+    /// Takes an edge out of the list that it is in.
+    #[inline]
+    pub(super) fn remove(&mut self, v: VertexId) {
+        let Links { before, after } = self.links[v];
+        self.links[before].after = after;
+        self.links[after].before = before;
+    }
+
+    /// The edges of `list` in order.
+    #[cfg(test)]
+    pub(super) fn iter(&self, list: List) -> impl Iterator<Item = VertexId> {
+        let bound = self.bound(list);
+        let next = move |&v: &VertexId| Some(self.links[v].after);
+        std::iter::successors(Some(bound), next).skip(1).take_while(move |&v| v != bound)
+    }
+
+    #[inline]
+    fn insert(&mut self, v: VertexId, links: Links) {
+        self.links[v] = links;
+        self.links[links.before].after = v;
+        self.links[links.after].before = v;
+    }
+
+    #[inline]
+    fn bound(&self, list: List) -> VertexId {
+        VertexId::new(self.vertices + list as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn content(lists: &EdgeLists, list: List) -> Vec<usize> {
+        lists.iter(list).map(Id::index).collect()
+    }
+
+    #[test]
+    fn edges_move_from_anywhere_to_either_end() {
+        let [a, b, c] = [0, 1, 2].map(VertexId::new);
+        let mut lists = EdgeLists::new(3);
+        lists.push_rear(List::Untested, a);
+        lists.push_rear(List::Untested, b);
+        lists.push_front(List::Untested, c);
+        assert_eq!(content(&lists, List::Untested), [2, 0, 1]);
+        lists.remove(a);
+        lists.push_front(List::Tested, a);
+        assert_eq!(lists.pop_front(List::Untested), Some(c));
+        lists.push_rear(List::Tested, c);
+        assert_eq!(content(&lists, List::Tested), [0, 2]);
+        assert_eq!(content(&lists, List::Untested), [1]);
+        lists.clear(List::Tested);
+        assert_eq!((lists.front(List::Tested), lists.front(List::Untested)), (None, Some(b)));
+    }
+}

@@ -1,0 +1,328 @@
+//! RS, the algorithm of Ramaswami and Siqueira (section 4): every edge is tested at most once.
+//!
+//! Vertices are processed one after the other: edges at vertex u are contracted into u until u is
+//! trapped, which it then stays (Lemma 5). An edge [u, v] that fails its test is put aside with the
+//! number c(v) of its critical cycles, and the counters are kept right from then on, so that it is
+//! known without another test when the edge becomes contractible.
+//!
+//! Departs from the printed pseudo-code where that is wrong; comments at the four places say how:
+//! counters are reset for each u (Algorithm 4.2), a time stamp is compared with ≥ (Algorithm 4.3,
+//! line 14), apexes are read before they are lost (line 4), and u is only done when no edge put
+//! aside is contractible (Algorithm 4.2, line 34). Departs in form too: an edge at u is named by its
+//! other end, so vertices carry what the paper keeps in edge records, and the two walks over the
+//! new neighbours of u are one.
+
+use super::edge_lists::{EdgeLists, List};
+use super::{Counts, Reduction};
+use crate::triangulation::{HalfEdgeId, IdVec, ShrinkingTriangulation, VertexId, VertexSplit};
+
+/// Where edges that are new at u enter the list of untested edges.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Discipline {
+    /// At the rear, as published; those to vertices of degree 3 at the front.
+    #[default]
+    FirstInFirstOut,
+    /// At the front. Tests more edges, and contracts in an order that suits expansion better.
+    LastInFirstOut,
+}
+
+/// Contracts edges of `triangulation` until none can be, by RS. Vertices are processed in `order`,
+/// which should have all; those that are gone or in no triangle are passed over.
+///
+/// O(n) for surfaces of genus 0 and O(g² + g n) for genus g > 0; 36 bytes a vertex for the state
+/// and the receipts.
+pub fn ramaswami_siqueira(
+    triangulation: ShrinkingTriangulation,
+    order: impl IntoIterator<Item = VertexId>,
+    discipline: Discipline,
+) -> Reduction {
+    let mut run = Run::new(triangulation, discipline, ());
+    run.process_all(order);
+    run.finish()
+}
+
+/// Looks on while edges are contracted; production looks away.
+pub(super) trait Observer: Sized {
+    /// Edge [u, v] has left the list of untested edges.
+    fn popped(&self, _run: &Run<Self>, _v: VertexId) {}
+    /// Edge [u, v] is being tested against the link condition.
+    fn tested(&self, _run: &Run<Self>, _v: VertexId) {}
+    /// The edge of `h` is about to be contracted.
+    fn contracting(&self, _run: &Run<Self>, _h: HalfEdgeId) {}
+    /// An edge has been dealt with: contracted, put aside or left alone.
+    fn settled(&self, _run: &Run<Self>) {}
+    /// Vertex u has been processed.
+    fn processed(&self, _run: &Run<Self>) {}
+}
+
+impl Observer for () {}
+
+/// Time before any contraction: the edge has not been tested.
+pub(super) const NEVER: u32 = u32::MAX;
+
+/// What is known of a vertex v, mostly as a neighbour of the vertex u being processed (Table 1).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Neighbour {
+    /// n: the last vertex whose neighbour it was while that was processed.
+    pub(super) centre: VertexId,
+    /// c: critical cycles through [u, v], if [u, v] has been put aside.
+    pub(super) critical_cycles: u32,
+    /// o: when it became a neighbour of u.
+    pub(super) known_since: u32,
+    /// t: when [u, v] left the list of untested edges, or [`NEVER`].
+    pub(super) tested_at: u32,
+    /// The half-edge from u to v.
+    pub(super) spoke: HalfEdgeId,
+    /// p: it has been processed or is gone.
+    pub(super) processed: bool,
+}
+
+/// The state of the algorithm.
+pub(super) struct Run<O> {
+    pub(super) k: ShrinkingTriangulation,
+    pub(super) neighbour: IdVec<VertexId, Neighbour>,
+    pub(super) lists: EdgeLists,
+    /// u.
+    pub(super) centre: VertexId,
+    /// ts: the number of contractions.
+    now: u32,
+    discipline: Discipline,
+    splits: Vec<VertexSplit>,
+    link_condition_tests: usize,
+    pub(super) observer: O,
+}
+
+impl<O: Observer> Run<O> {
+    pub(super) fn new(k: ShrinkingTriangulation, discipline: Discipline, observer: O) -> Self {
+        let stranger = Neighbour {
+            centre: VertexId::NONE,
+            critical_cycles: 0,
+            known_since: 0,
+            tested_at: NEVER,
+            spoke: HalfEdgeId::NONE,
+            processed: false,
+        };
+        let vertices = k.vertex_id_count();
+        Self {
+            neighbour: IdVec::filled(stranger, vertices),
+            lists: EdgeLists::new(vertices),
+            splits: Vec::with_capacity(k.vertex_count()),
+            centre: VertexId::NONE,
+            now: 0,
+            discipline,
+            link_condition_tests: 0,
+            observer,
+            k,
+        }
+    }
+
+    pub(super) fn finish(self) -> Reduction {
+        let counts = Counts {
+            link_condition_tests: self.link_condition_tests,
+            edges_tested_more_than_once: 0,
+        };
+        Reduction { triangulation: self.k, splits: self.splits, counts }
+    }
+
+    /// Algorithm 4.2.
+    pub(super) fn process_all(&mut self, order: impl IntoIterator<Item = VertexId>) {
+        for u in order {
+            if !self.neighbour[u].processed && self.k.outgoing(u).is_some() {
+                self.process(u);
+            }
+        }
+    }
+
+    /// Contracts edges at `u` until it is trapped (Algorithm 4.2, lines 7 to 35).
+    fn process(&mut self, u: VertexId) {
+        self.meet_neighbours(u);
+        loop {
+            while let Some(v) = self.lists.pop_front(List::Untested) {
+                self.neighbour[v].tested_at = self.now;
+                self.observer.popped(self, v);
+                if self.k.degree(v) == 3 {
+                    self.contract_degree_three(v);
+                } else {
+                    self.test(v);
+                }
+                self.observer.settled(self);
+            }
+            self.contract_from_tested();
+            self.observer.settled(self);
+            // The printed loop ends as soon as no edge is untested. But a contraction of an edge
+            // put aside may leave another one contractible and bring only processed neighbours.
+            if self.lists.front(List::Untested).is_none() && self.contractible_tested().is_none() {
+                break;
+            }
+        }
+        self.neighbour[u].processed = true;
+        self.observer.processed(self);
+    }
+
+    /// Makes `u` the centre and lists its edges to vertices that have not been processed.
+    fn meet_neighbours(&mut self, u: VertexId) {
+        self.centre = u;
+        self.lists.clear(List::Untested);
+        self.lists.clear(List::Tested);
+        for h in self.k.spokes(u) {
+            let v = self.k.destination(h);
+            let neighbour = &mut self.neighbour[v];
+            neighbour.meet(u, h, self.now);
+            if !neighbour.processed {
+                self.lists.enter(v, self.k.degree(v), self.discipline);
+            }
+        }
+    }
+
+    /// Contracts [u, v], where v has degree 3, unless all that is left is a tetrahedron. The cycle
+    /// round v is then no longer critical for the edges that counted it (Algorithm 4.3).
+    fn contract_degree_three(&mut self, v: VertexId) {
+        if self.k.degree(self.centre) == 3 {
+            return;
+        }
+        // Before the contraction, which the printed line 4 comes after.
+        let [x, y] = self.k.apexes(self.neighbour[v].spoke);
+        self.contract(v);
+        let [nx, ny] = [x, y].map(|w| self.neighbour[w]);
+        let [x_tested, y_tested] = [nx, ny].map(|n| n.tested_at != NEVER);
+        // Printed with > in the first case. If no edge was contracted between the moment y became
+        // a neighbour and the test of [u, x], the times are equal, and that test counted the cycle.
+        let x_counted = x_tested && (y_tested || nx.tested_at >= ny.known_since);
+        let y_counted = y_tested && (x_tested || ny.tested_at >= nx.known_since);
+        if x_counted {
+            self.uncount(x);
+        }
+        if y_counted {
+            self.uncount(y);
+        }
+    }
+
+    /// Tests [u, v] against the link condition by counting its critical cycles, and contracts it or
+    /// puts it aside (Algorithm 4.4). O(deg v).
+    fn test(&mut self, v: VertexId) {
+        self.link_condition_tests += 1;
+        self.observer.tested(self, v);
+        let Neighbour { spoke, known_since, .. } = self.neighbour[v];
+        let mut cycles = 0;
+        for g in self.k.far_spokes(spoke) {
+            let z = self.k.destination(g);
+            let Neighbour { centre, tested_at, .. } = self.neighbour[z];
+            if centre == self.centre {
+                cycles += 1;
+                if tested_at != NEVER && tested_at < known_since {
+                    count(&mut self.neighbour, &mut self.lists, z);
+                }
+            }
+        }
+        self.neighbour[v].critical_cycles = cycles;
+        if cycles == 0 {
+            self.contract(v);
+        } else {
+            self.lists.push_rear(List::Tested, v);
+        }
+    }
+
+    /// Contracts edges that were put aside and have become contractible: all that lead to vertices
+    /// of degree 3, and one more (Algorithm 4.6).
+    fn contract_from_tested(&mut self) {
+        while let Some(v) = self.lists.front(List::Tested)
+            && self.k.degree(v) == 3
+        {
+            self.lists.remove(v);
+            self.contract_degree_three(v);
+            self.observer.settled(self);
+        }
+        if let Some(v) = self.contractible_tested() {
+            self.lists.remove(v);
+            self.contract(v);
+        }
+    }
+
+    /// An edge put aside that can be contracted now, if there is one: they come first
+    /// (Proposition 10).
+    fn contractible_tested(&self) -> Option<VertexId> {
+        self.lists.front(List::Tested).filter(|&v| self.neighbour[v].critical_cycles == 0)
+    }
+
+    /// Contracts [u, v], which must be in no list, and meets the neighbours that u gains
+    /// (Algorithms 4.5 and 4.7). O(deg v) and the degrees of processed neighbours gained.
+    fn contract(&mut self, v: VertexId) {
+        self.now += 1;
+        self.neighbour[v].processed = true;
+        let h = self.neighbour[v].spoke;
+        self.observer.contracting(self, h);
+        let [x, y] = self.k.apexes(h);
+        let split = self.k.contract(h);
+        // The spoke to y was a side of a triangle that is gone; the one to x was not.
+        self.neighbour[y].spoke = self.k.twin(self.k.twin(h).prev());
+        for w in [x, y] {
+            let neighbour = &self.neighbour[w];
+            let untested = !neighbour.processed && neighbour.tested_at == NEVER;
+            if untested && self.k.degree(w) == 3 {
+                self.lists.remove(w);
+                self.lists.push_front(List::Untested, w);
+            }
+        }
+        for g in self.k.moved_spokes(&split) {
+            let z = self.k.destination(g);
+            let neighbour = &mut self.neighbour[z];
+            neighbour.meet(self.centre, g, self.now);
+            if neighbour.processed {
+                count_cycles_through(&self.k, &mut self.neighbour, &mut self.lists, g);
+            } else {
+                self.lists.enter(z, self.k.degree(z), self.discipline);
+            }
+        }
+        self.splits.push(split);
+    }
+
+    /// [u, w], put aside, is in one critical cycle less.
+    fn uncount(&mut self, w: VertexId) {
+        let cycles = &mut self.neighbour[w].critical_cycles;
+        *cycles -= 1;
+        if *cycles == 0 {
+            self.lists.remove(w);
+            self.lists.push_front(List::Tested, w);
+        }
+    }
+}
+
+impl Neighbour {
+    /// It turns out to be a neighbour of `centre`, through `spoke`.
+    #[inline]
+    fn meet(&mut self, centre: VertexId, spoke: HalfEdgeId, now: u32) {
+        self.centre = centre;
+        self.spoke = spoke;
+        self.known_since = now;
+        self.tested_at = NEVER;
+        // Missing in the printed Algorithm 4.2: else the count of an earlier centre remains.
+        self.critical_cycles = 0;
+    }
+}
+
+/// Counts the critical cycles through the end z of spoke `g`, a processed neighbour that u has
+/// just gained, for all edges put aside (Algorithm 4.5, lines 33 to 41). O(deg z).
+fn count_cycles_through(
+    k: &ShrinkingTriangulation,
+    neighbour: &mut IdVec<VertexId, Neighbour>,
+    lists: &mut EdgeLists,
+    g: HalfEdgeId,
+) {
+    let centre = k.origin(g);
+    for spoke in k.far_spokes(g) {
+        let w = k.destination(spoke);
+        if neighbour[w].centre == centre && neighbour[w].tested_at != NEVER {
+            count(neighbour, lists, w);
+        }
+    }
+}
+
+/// [u, w], put aside, is in one critical cycle more.
+fn count(neighbour: &mut IdVec<VertexId, Neighbour>, lists: &mut EdgeLists, w: VertexId) {
+    let cycles = &mut neighbour[w].critical_cycles;
+    *cycles += 1;
+    if *cycles == 1 {
+        lists.remove(w);
+        lists.push_rear(List::Tested, w);
+    }
+}
