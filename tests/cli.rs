@@ -1032,6 +1032,108 @@ fn turned_quads_are_the_same_quads() {
     workshop.succeed("check turned.obj --against in.obj");
 }
 
+// Irreducible triangulations.
+
+const IRREDUCIBLE_FIELDS: [&str; 19] = [
+    "schema",
+    "input",
+    "algorithm",
+    "order",
+    "seed",
+    "vertices",
+    "edges",
+    "triangles",
+    "genus",
+    "result_vertices",
+    "result_edges",
+    "result_triangles",
+    "contractions",
+    "link_condition_tests",
+    "edges_tested_more_than_once",
+    "read_seconds",
+    "build_seconds",
+    "seconds",
+    "peak_memory_bytes",
+];
+
+#[test]
+fn irreducible_keeps_a_few_vertices_where_they_are() {
+    let workshop = Workshop::new();
+    let surface = irregular_mesh();
+    workshop.put_surface("in.obj", &surface);
+    let genus = workshop.json("info in.obj --json", 0)["genus"].as_u64().unwrap();
+    for method in triquad::irreducible::Method::ALL {
+        for order in ["file", "random"] {
+            workshop.succeed(&format!(
+                "irreducible in.obj -o out.ply --stats stats.json --seed 3 --algorithm {method} \
+                 --order {order}"
+            ));
+            let stats: Value = serde_json::from_slice(&workshop.get("stats.json")).unwrap();
+            assert_has_fields(&stats, &IRREDUCIBLE_FIELDS);
+            assert_eq!(stats.as_object().unwrap().len(), IRREDUCIBLE_FIELDS.len());
+            let (vertices, triangles) = (surface.positions.len(), surface.triangles.len());
+            for (field, expected) in [
+                ("vertices", vertices),
+                ("edges", 3 * triangles / 2),
+                ("triangles", triangles),
+                ("seed", 3),
+            ] {
+                assert_eq!(stats[field], expected, "{field}");
+            }
+            assert_eq!(
+                (&stats["algorithm"], &stats["order"]),
+                (&method.id().into(), &order.into())
+            );
+            assert_eq!(stats["genus"], genus);
+            let result = workshop.mesh("out.ply");
+            assert_eq!(stats["result_vertices"], result.positions.len());
+            assert_eq!(stats["result_triangles"], result.faces.len());
+            assert_eq!(stats["result_edges"], 3 * result.faces.len() / 2);
+            assert_eq!(stats["contractions"], vertices - result.positions.len());
+            assert_eq!(workshop.json("info out.ply --json", 0)["genus"], genus);
+            let mut rest = surface.positions.iter();
+            assert!(result.positions.iter().all(|p| rest.any(|q| q == p)), "moved or out of order");
+        }
+    }
+}
+
+#[test]
+fn irreducible_goes_by_algorithm_order_and_seed() {
+    let workshop = Workshop::new();
+    workshop.put_surface("in.off", &random_of(4, 300, Mix::Balanced, 2));
+    let bytes = |options: &str| {
+        workshop.succeed(&format!("irreducible in.off -o out.obj {options}"));
+        workshop.get("out.obj")
+    };
+    assert_eq!(bytes(""), bytes("--algorithm rs --order file --seed 0"));
+    assert_eq!(bytes(""), bytes("--seed 1"), "no seed without randomness");
+    for random in ["--order random", "--algorithm brute-force"] {
+        let seeded = |seed| bytes(&format!("{random} --seed {seed}"));
+        assert_eq!(seeded(1), seeded(1));
+        assert_ne!(seeded(1), seeded(2));
+    }
+    assert_ne!(bytes(""), bytes("--algorithm schipper"));
+}
+
+#[test]
+fn irreducible_minds_its_files() {
+    let workshop = Workshop::new();
+    workshop.put("in.obj", TETRAHEDRON);
+    let line = workshop.fail("irreducible in.obj --stats in.obj", 2);
+    assert_contains(&line, &["--stats"], "statistics over the input");
+    workshop.fail("irreducible in.obj -o - --stats -", 2);
+    workshop.fail("irreducible in.obj --algorithm tq", 2);
+    workshop.fail("irreducible in.obj -o out.stl", 2);
+    workshop.put("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let line = workshop.fail("irreducible open.obj -o out.obj --stats s.json", 2);
+    assert_contains(&line, &["open.obj", "boundary-edge"], "an open mesh");
+    let run = workshop.run_with_input("irreducible - -o -", TETRAHEDRON.as_bytes());
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let result = mesh::parse(&run.stdout, Format::Obj).unwrap();
+    assert_eq!((result.positions.len(), result.faces.len()), (4, 4));
+    assert_contains(&run.stderr, &["4 vertices", "irreducible"], "the summary");
+}
+
 // Interrupts.
 
 #[cfg(unix)]

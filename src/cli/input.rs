@@ -31,6 +31,14 @@ pub fn tell_left_out(path: &Path, left_out: &[String]) {
     }
 }
 
+/// What a result that consists of positions and triangles alone does not carry over from `list`.
+pub fn left_out_of_triangles(list: &FaceList) -> Vec<String> {
+    let attributes = list.attributes.as_ref().filter(|attributes| !attributes.is_empty());
+    let attributes =
+        attributes.map(|_| "texture coordinates, normals, groups and materials".to_owned());
+    list.left_out.iter().cloned().chain(attributes).collect()
+}
+
 /// Reads a mesh and makes sure that it is a triangulation of closed surfaces.
 pub fn read_triangulation(
     path: &Path,

@@ -8,6 +8,7 @@ mod convert;
 mod generate;
 mod info;
 mod input;
+mod irreducible;
 mod machine;
 mod progress;
 mod simplify;
@@ -39,6 +40,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Verb {
     Convert(convert::Arguments),
+    Irreducible(irreducible::Arguments),
     Check(check::Arguments),
     Info(info::Arguments),
     Generate(generate::Arguments),
@@ -79,6 +81,7 @@ pub fn main() -> ExitCode {
     };
     let result = match arguments.verb {
         Verb::Convert(arguments) => convert::run(&arguments),
+        Verb::Irreducible(arguments) => irreducible::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Info(arguments) => info::run(&arguments),
         Verb::Generate(arguments) => generate::run(&arguments),

@@ -81,7 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         clock.time(|| input::build(&arguments.input, &mut list, arguments.repairs));
     let triangulation = built?;
     let mut stats = Stats::of_input(arguments, &triangulation);
-    let left_out = what_is_left_out(&list);
+    let left_out = input::left_out_of_triangles(&list);
     status.say("contracting edges");
     let (simplified, seconds) = clock.time(|| simplified(triangulation, list, arguments.vertices));
     let (list, triangulation) = simplified.map_err(|error| failure(arguments, &error))?;
@@ -114,13 +114,6 @@ fn simplified(
     drop(list);
     simplifier.reduce_to(vertices)?;
     Ok(simplifier.result())
-}
-
-fn what_is_left_out(list: &FaceList) -> Vec<String> {
-    let attributes = list.attributes.as_ref().filter(|attributes| !attributes.is_empty());
-    let attributes =
-        attributes.map(|_| "texture coordinates, normals, groups and materials".to_owned());
-    list.left_out.iter().cloned().chain(attributes).collect()
 }
 
 fn failure(arguments: &Arguments, error: &SimplifyError) -> Failure {
