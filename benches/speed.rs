@@ -1,4 +1,5 @@
-//! Seconds and memory of whole conversions, each in a process of its own, best of three.
+//! Seconds and memory of whole conversions, each in a process of its own, best of three; and of making
+//! the same meshes irreducible.
 //!
 //! `cargo bench --bench speed` (or `make bench`) uses meshes that it makes itself; the environment
 //! variable `MESHES` names others, separated by white space. If `LEMON` names a program that is called
@@ -22,6 +23,7 @@ use triquad_generators::{grids, random};
 
 const ROUNDS: usize = 3;
 const ALGORITHMS: [&str; 3] = ["tq", "ps", "sg"];
+const METHODS: [&str; 3] = ["rs", "schipper", "brute-force"];
 const VARIANTS: [&str; 3] = ["lemon_greedydense", "lemon_dense", "lemon_run"];
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -92,7 +94,10 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
     // Interleaved: a slow minute of the machine then hits everything alike.
     for _ in 0..ROUNDS {
         for algorithm in ALGORITHMS {
-            keep_best(best.entry(algorithm).or_default(), &convert(path, algorithm)?);
+            keep_best(best.entry(algorithm).or_default(), &run("convert", path, algorithm)?);
+        }
+        for method in METHODS {
+            keep_best(best.entry(method).or_default(), &run("irreducible", path, method)?);
         }
         for variant in VARIANTS {
             if let Some(program) = &lemon {
@@ -103,16 +108,17 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
     for algorithm in ALGORITHMS {
         print_row(path, algorithm, &best[algorithm], lemon.is_some().then_some(yardstick));
     }
+    for method in METHODS {
+        print_irreducible(method, &best[method], lemon.is_some().then_some(yardstick));
+    }
     Ok(())
 }
 
-fn convert(path: &Path, algorithm: &str) -> Result<Value> {
+/// What the tool tells of `verb` on the mesh by `algorithm`.
+fn run(verb: &str, path: &Path, algorithm: &str) -> Result<Value> {
     let mut command = Command::new(env!("CARGO_BIN_EXE_triquad"));
-    let output = command
-        .arg("convert")
-        .arg(path)
-        .args(["--algorithm", algorithm, "--stats", "-"])
-        .output()?;
+    let output =
+        command.arg(verb).arg(path).args(["--algorithm", algorithm, "--stats", "-"]).output()?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into());
     }
@@ -123,7 +129,7 @@ fn keep_best(best: &mut Best, stats: &Value) {
     let numbers = stats.as_object().into_iter().flatten();
     for (name, value) in numbers.filter_map(|(name, value)| Some((name, value.as_f64()?))) {
         let entry = best.entry(name.clone()).or_insert(value);
-        *entry = if name.ends_with("_seconds") { entry.min(value) } else { value };
+        *entry = if name.ends_with("seconds") { entry.min(value) } else { value };
     }
 }
 
@@ -171,5 +177,20 @@ fn print_row(path: &Path, algorithm: &str, best: &Best, yardstick: Option<f64>) 
         yardstick.map_or("-".into(), |l| format!("{l:.4}")),
         in_l(best["build_seconds"]),
         in_l(total),
+    );
+}
+
+fn print_irreducible(method: &str, best: &Best, yardstick: Option<f64>) {
+    let (seconds, tests) = (best["seconds"], best["link_condition_tests"]);
+    let in_l = yardstick.map_or("-".into(), |l| format!("{:.2}", seconds / l));
+    let bytes = best
+        .get("peak_memory_bytes")
+        .map_or("-".into(), |bytes| format!("{:.0}", bytes / best["triangles"]));
+    println!(
+        "    irreducible, {method:11}: {seconds:.3} s ({in_l} L), {tests} tests of {:.0} ns, {} edges \
+         tested again, {} vertices left, {bytes} B/tri",
+        1e9 * seconds / tests,
+        best["edges_tested_more_than_once"],
+        best["result_vertices"],
     );
 }
