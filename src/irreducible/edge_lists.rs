@@ -1,5 +1,7 @@
 //! The lists lue and lte of Ramaswami and Siqueira (section 4.1), linked through arrays.
 
+use std::ops::{Index, IndexMut};
+
 use super::Discipline;
 use crate::triangulation::{Id, IdVec, VertexId};
 
@@ -12,14 +14,24 @@ pub(super) enum List {
     Tested,
 }
 
-/// Both lists; an edge [u, v] is named by v and is in one of them at most. Every operation is O(1).
+/// Both lists, and a `T` for every vertex v that may be the other end of an edge. Edge [u, v] is
+/// named by v and is in one list at most. Every operation is O(1).
 ///
 /// The lists are rings through one bound each, kept behind the vertices, so that an edge can be
-/// taken out without knowing which list it is in. 8 bytes a vertex.
+/// taken out without knowing which list it is in. 8 bytes a vertex, beside the `T` because both
+/// are needed at once.
 #[derive(Debug)]
-pub(super) struct EdgeLists {
-    links: IdVec<VertexId, Links>,
+pub(super) struct EdgeLists<T> {
+    nodes: IdVec<VertexId, Node<T>>,
     vertices: usize,
+}
+
+/// Aligned so that no node of the size that occurs lies across two cache lines.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+struct Node<T> {
+    links: Links,
+    end: T,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -28,11 +40,12 @@ struct Links {
     after: VertexId,
 }
 
-impl EdgeLists {
-    /// Two empty lists of edges to any of `vertices` vertices. O(n).
-    pub(super) fn new(vertices: usize) -> Self {
-        let unlinked = Links { before: VertexId::NONE, after: VertexId::NONE };
-        let mut lists = Self { links: IdVec::filled(unlinked, vertices + 2), vertices };
+impl<T: Copy> EdgeLists<T> {
+    /// Two empty lists of edges to any of `vertices` vertices, with `end` for each. O(n).
+    pub(super) fn new(end: T, vertices: usize) -> Self {
+        let links = Links { before: VertexId::NONE, after: VertexId::NONE };
+        let nodes = IdVec::filled(Node { links, end }, vertices + 2);
+        let mut lists = Self { nodes, vertices };
         lists.clear(List::Untested);
         lists.clear(List::Tested);
         lists
@@ -41,14 +54,14 @@ impl EdgeLists {
     /// Forgets all edges of `list`.
     pub(super) fn clear(&mut self, list: List) {
         let bound = self.bound(list);
-        self.links[bound] = Links { before: bound, after: bound };
+        self.nodes[bound].links = Links { before: bound, after: bound };
     }
 
     /// The first edge of `list`.
     #[inline]
     pub(super) fn front(&self, list: List) -> Option<VertexId> {
         let bound = self.bound(list);
-        let first = self.links[bound].after;
+        let first = self.nodes[bound].links.after;
         (first != bound).then_some(first)
     }
 
@@ -64,7 +77,7 @@ impl EdgeLists {
     #[inline]
     pub(super) fn push_front(&mut self, list: List, v: VertexId) {
         let bound = self.bound(list);
-        let after = self.links[bound].after;
+        let after = self.nodes[bound].links.after;
         self.insert(v, Links { before: bound, after });
     }
 
@@ -72,7 +85,7 @@ impl EdgeLists {
     #[inline]
     pub(super) fn push_rear(&mut self, list: List, v: VertexId) {
         let bound = self.bound(list);
-        let before = self.links[bound].before;
+        let before = self.nodes[bound].links.before;
         self.insert(v, Links { before, after: bound });
     }
 
@@ -89,24 +102,24 @@ impl EdgeLists {
     /// Takes an edge out of the list that it is in.
     #[inline]
     pub(super) fn remove(&mut self, v: VertexId) {
-        let Links { before, after } = self.links[v];
-        self.links[before].after = after;
-        self.links[after].before = before;
+        let Links { before, after } = self.nodes[v].links;
+        self.nodes[before].links.after = after;
+        self.nodes[after].links.before = before;
     }
 
     /// The edges of `list` in order.
     #[cfg(test)]
     pub(super) fn iter(&self, list: List) -> impl Iterator<Item = VertexId> {
         let bound = self.bound(list);
-        let next = move |&v: &VertexId| Some(self.links[v].after);
+        let next = move |&v: &VertexId| Some(self.nodes[v].links.after);
         std::iter::successors(Some(bound), next).skip(1).take_while(move |&v| v != bound)
     }
 
     #[inline]
     fn insert(&mut self, v: VertexId, links: Links) {
-        self.links[v] = links;
-        self.links[links.before].after = v;
-        self.links[links.after].before = v;
+        self.nodes[v].links = links;
+        self.nodes[links.before].links.after = v;
+        self.nodes[links.after].links.before = v;
     }
 
     #[inline]
@@ -115,18 +128,33 @@ impl EdgeLists {
     }
 }
 
+impl<T> Index<VertexId> for EdgeLists<T> {
+    type Output = T;
+    #[inline]
+    fn index(&self, v: VertexId) -> &T {
+        &self.nodes[v].end
+    }
+}
+
+impl<T> IndexMut<VertexId> for EdgeLists<T> {
+    #[inline]
+    fn index_mut(&mut self, v: VertexId) -> &mut T {
+        &mut self.nodes[v].end
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn content(lists: &EdgeLists, list: List) -> Vec<usize> {
+    fn content(lists: &EdgeLists<u8>, list: List) -> Vec<usize> {
         lists.iter(list).map(Id::index).collect()
     }
 
     #[test]
     fn edges_move_from_anywhere_to_either_end() {
         let [a, b, c] = [0, 1, 2].map(VertexId::new);
-        let mut lists = EdgeLists::new(3);
+        let mut lists = EdgeLists::new(0u8, 3);
         lists.push_rear(List::Untested, a);
         lists.push_rear(List::Untested, b);
         lists.push_front(List::Untested, c);

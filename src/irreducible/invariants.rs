@@ -80,7 +80,7 @@ struct Checker {
 
 impl Observer for Checker {
     fn popped(&self, run: &Run<Self>, v: VertexId) {
-        assert!(!run.neighbour[v].processed && run.k.outgoing(v).is_some());
+        assert!(!run.lists[v].processed && run.k.outgoing(v).is_some());
         self.check_untested(run);
         self.check_tested(run);
     }
@@ -117,11 +117,14 @@ impl Observer for Checker {
 impl Checker {
     /// The vertices that are known as neighbours of u are its neighbours, and known by their spokes.
     fn check_neighbours(&self, run: &Run<Self>, graph: &Graph) {
-        for v in run.neighbour.ids().filter(|&v| run.k.outgoing(v).is_some() && v != run.centre) {
-            let is_known = run.neighbour[v].centre == run.centre;
+        for v in (0..run.k.vertex_id_count())
+            .map(VertexId::new)
+            .filter(|&v| run.k.outgoing(v).is_some() && v != run.centre)
+        {
+            let is_known = run.lists[v].centre == run.centre;
             assert_eq!(is_known, graph.neighbours(run.centre).any(|w| w == v));
             if is_known {
-                let h = run.neighbour[v].spoke;
+                let h = run.lists[v].spoke;
                 assert!(run.k.is_alive(h.triangle()));
                 assert_eq!((run.k.origin(h), run.k.destination(h)), (run.centre, v));
             }
@@ -132,7 +135,7 @@ impl Checker {
     fn check_untested(&self, run: &Run<Self>) {
         let untested: Vec<_> = run.lists.iter(List::Untested).collect();
         for &v in &untested {
-            let n = run.neighbour[v];
+            let n = run.lists[v];
             assert_eq!((n.centre, n.tested_at, n.critical_cycles), (run.centre, NEVER, 0));
             assert!(!n.processed && run.k.outgoing(v).is_some());
         }
@@ -145,12 +148,12 @@ impl Checker {
     fn check_tested(&self, run: &Run<Self>) {
         let put_aside: Vec<_> = run.lists.iter(List::Tested).collect();
         for &v in &put_aside {
-            let n = run.neighbour[v];
+            let n = run.lists[v];
             assert!(n.tested_at != NEVER && n.tested_at >= n.known_since && !n.processed);
             let edge = [run.centre.min(v), run.centre.max(v)];
             assert!(self.tested.borrow().contains(&edge));
         }
-        let counted = |&v: &VertexId| run.neighbour[v].critical_cycles > 0;
+        let counted = |&v: &VertexId| run.lists[v].critical_cycles > 0;
         assert!(put_aside.is_sorted_by_key(counted), "contractible edges come first");
     }
 
@@ -159,9 +162,9 @@ impl Checker {
     /// neighbour when [u, w] was tested.
     fn check_counters(&self, run: &Run<Self>, graph: &Graph) {
         for w in run.lists.iter(List::Tested) {
-            let n = run.neighbour[w];
+            let n = run.lists[w];
             let is_counted = |&z: &VertexId| {
-                let third = run.neighbour[z];
+                let third = run.lists[z];
                 third.processed || third.tested_at != NEVER || n.tested_at >= third.known_since
             };
             let cycles: Vec<_> = graph.cycles(run.centre, w).collect();

@@ -14,7 +14,7 @@
 
 use super::edge_lists::{EdgeLists, List};
 use super::{Counts, Reduction};
-use crate::triangulation::{HalfEdgeId, IdVec, ShrinkingTriangulation, VertexId, VertexSplit};
+use crate::triangulation::{HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit};
 
 /// Where edges that are new at u enter the list of untested edges.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -80,8 +80,7 @@ pub(super) struct Neighbour {
 /// The state of the algorithm.
 pub(super) struct Run<O> {
     pub(super) k: ShrinkingTriangulation,
-    pub(super) neighbour: IdVec<VertexId, Neighbour>,
-    pub(super) lists: EdgeLists,
+    pub(super) lists: EdgeLists<Neighbour>,
     /// u.
     pub(super) centre: VertexId,
     /// ts: the number of contractions.
@@ -104,8 +103,7 @@ impl<O: Observer> Run<O> {
         };
         let vertices = k.vertex_id_count();
         Self {
-            neighbour: IdVec::filled(stranger, vertices),
-            lists: EdgeLists::new(vertices),
+            lists: EdgeLists::new(stranger, vertices),
             splits: Vec::with_capacity(k.vertex_count()),
             centre: VertexId::NONE,
             now: 0,
@@ -127,7 +125,7 @@ impl<O: Observer> Run<O> {
     /// Algorithm 4.2.
     pub(super) fn process_all(&mut self, order: impl IntoIterator<Item = VertexId>) {
         for u in order {
-            if !self.neighbour[u].processed && self.k.outgoing(u).is_some() {
+            if !self.lists[u].processed && self.k.outgoing(u).is_some() {
                 self.process(u);
             }
         }
@@ -138,7 +136,7 @@ impl<O: Observer> Run<O> {
         self.meet_neighbours(u);
         loop {
             while let Some(v) = self.lists.pop_front(List::Untested) {
-                self.neighbour[v].tested_at = self.now;
+                self.lists[v].tested_at = self.now;
                 self.observer.popped(self, v);
                 if self.k.degree(v) == 3 {
                     self.contract_degree_three(v);
@@ -155,7 +153,7 @@ impl<O: Observer> Run<O> {
                 break;
             }
         }
-        self.neighbour[u].processed = true;
+        self.lists[u].processed = true;
         self.observer.processed(self);
     }
 
@@ -166,7 +164,7 @@ impl<O: Observer> Run<O> {
         self.lists.clear(List::Tested);
         for h in self.k.spokes(u) {
             let v = self.k.destination(h);
-            let neighbour = &mut self.neighbour[v];
+            let neighbour = &mut self.lists[v];
             neighbour.meet(u, h, self.now);
             if !neighbour.processed {
                 self.lists.enter(v, self.k.degree(v), self.discipline);
@@ -181,9 +179,9 @@ impl<O: Observer> Run<O> {
             return;
         }
         // Before the contraction, which the printed line 4 comes after.
-        let [x, y] = self.k.apexes(self.neighbour[v].spoke);
+        let [x, y] = self.k.apexes(self.lists[v].spoke);
         self.contract(v);
-        let [nx, ny] = [x, y].map(|w| self.neighbour[w]);
+        let [nx, ny] = [x, y].map(|w| self.lists[w]);
         let [x_tested, y_tested] = [nx, ny].map(|n| n.tested_at != NEVER);
         // Printed with > in the first case. If no edge was contracted between the moment y became
         // a neighbour and the test of [u, x], the times are equal, and that test counted the cycle.
@@ -202,19 +200,19 @@ impl<O: Observer> Run<O> {
     fn test(&mut self, v: VertexId) {
         self.link_condition_tests += 1;
         self.observer.tested(self, v);
-        let Neighbour { spoke, known_since, .. } = self.neighbour[v];
+        let Neighbour { spoke, known_since, .. } = self.lists[v];
         let mut cycles = 0;
         for g in self.k.far_spokes(spoke) {
             let z = self.k.destination(g);
-            let Neighbour { centre, tested_at, .. } = self.neighbour[z];
+            let Neighbour { centre, tested_at, .. } = self.lists[z];
             if centre == self.centre {
                 cycles += 1;
                 if tested_at != NEVER && tested_at < known_since {
-                    count(&mut self.neighbour, &mut self.lists, z);
+                    count(&mut self.lists, z);
                 }
             }
         }
-        self.neighbour[v].critical_cycles = cycles;
+        self.lists[v].critical_cycles = cycles;
         if cycles == 0 {
             self.contract(v);
         } else {
@@ -241,22 +239,22 @@ impl<O: Observer> Run<O> {
     /// An edge put aside that can be contracted now, if there is one: they come first
     /// (Proposition 10).
     fn contractible_tested(&self) -> Option<VertexId> {
-        self.lists.front(List::Tested).filter(|&v| self.neighbour[v].critical_cycles == 0)
+        self.lists.front(List::Tested).filter(|&v| self.lists[v].critical_cycles == 0)
     }
 
     /// Contracts [u, v], which must be in no list, and meets the neighbours that u gains
     /// (Algorithms 4.5 and 4.7). O(deg v) and the degrees of processed neighbours gained.
     fn contract(&mut self, v: VertexId) {
         self.now += 1;
-        self.neighbour[v].processed = true;
-        let h = self.neighbour[v].spoke;
+        self.lists[v].processed = true;
+        let h = self.lists[v].spoke;
         self.observer.contracting(self, h);
         let [x, y] = self.k.apexes(h);
         let split = self.k.contract(h);
         // The spoke to y was a side of a triangle that is gone; the one to x was not.
-        self.neighbour[y].spoke = self.k.twin(self.k.twin(h).prev());
+        self.lists[y].spoke = self.k.twin(self.k.twin(h).prev());
         for w in [x, y] {
-            let neighbour = &self.neighbour[w];
+            let neighbour = &self.lists[w];
             let untested = !neighbour.processed && neighbour.tested_at == NEVER;
             if untested && self.k.degree(w) == 3 {
                 self.lists.remove(w);
@@ -265,10 +263,10 @@ impl<O: Observer> Run<O> {
         }
         for g in self.k.moved_spokes(&split) {
             let z = self.k.destination(g);
-            let neighbour = &mut self.neighbour[z];
+            let neighbour = &mut self.lists[z];
             neighbour.meet(self.centre, g, self.now);
             if neighbour.processed {
-                count_cycles_through(&self.k, &mut self.neighbour, &mut self.lists, g);
+                count_cycles_through(&self.k, &mut self.lists, g);
             } else {
                 self.lists.enter(z, self.k.degree(z), self.discipline);
             }
@@ -278,7 +276,7 @@ impl<O: Observer> Run<O> {
 
     /// [u, w], put aside, is in one critical cycle less.
     fn uncount(&mut self, w: VertexId) {
-        let cycles = &mut self.neighbour[w].critical_cycles;
+        let cycles = &mut self.lists[w].critical_cycles;
         *cycles -= 1;
         if *cycles == 0 {
             self.lists.remove(w);
@@ -304,22 +302,21 @@ impl Neighbour {
 /// just gained, for all edges put aside (Algorithm 4.5, lines 33 to 41). O(deg z).
 fn count_cycles_through(
     k: &ShrinkingTriangulation,
-    neighbour: &mut IdVec<VertexId, Neighbour>,
-    lists: &mut EdgeLists,
+    lists: &mut EdgeLists<Neighbour>,
     g: HalfEdgeId,
 ) {
     let centre = k.origin(g);
     for spoke in k.far_spokes(g) {
         let w = k.destination(spoke);
-        if neighbour[w].centre == centre && neighbour[w].tested_at != NEVER {
-            count(neighbour, lists, w);
+        if lists[w].centre == centre && lists[w].tested_at != NEVER {
+            count(lists, w);
         }
     }
 }
 
 /// [u, w], put aside, is in one critical cycle more.
-fn count(neighbour: &mut IdVec<VertexId, Neighbour>, lists: &mut EdgeLists, w: VertexId) {
-    let cycles = &mut neighbour[w].critical_cycles;
+fn count(lists: &mut EdgeLists<Neighbour>, w: VertexId) {
+    let cycles = &mut lists[w].critical_cycles;
     *cycles += 1;
     if *cycles == 1 {
         lists.remove(w);

@@ -17,12 +17,18 @@ use super::{HalfEdgeId, Id, IdVec, TriangleId, Triangulation, VertexId};
 pub struct ShrinkingTriangulation {
     origin: IdVec<HalfEdgeId, VertexId>,
     twin: IdVec<HalfEdgeId, HalfEdgeId>,
-    /// Some half-edge that leaves the vertex; none for retired and unreferenced vertices.
-    outgoing: IdVec<VertexId, HalfEdgeId>,
-    /// Number of edges at the vertex; that of a retired vertex means nothing.
-    degree: IdVec<VertexId, u32>,
+    star: IdVec<VertexId, Star>,
     vertices: usize,
     components: usize,
+}
+
+/// What is known of a vertex; side by side, as both change at once.
+#[derive(Clone, Copy, Debug)]
+struct Star {
+    /// Some half-edge that leaves the vertex; none for retired and unreferenced vertices.
+    outgoing: HalfEdgeId,
+    /// Number of edges at the vertex; that of a retired vertex means nothing.
+    degree: u32,
 }
 
 /// Receipt of one contraction, undone last-in first-out; not `Clone`, so at most once.
@@ -67,14 +73,14 @@ impl ShrinkingTriangulation {
     /// Takes a triangulation over, with all its ids. O(n).
     pub fn of(triangulation: Triangulation) -> Self {
         let Triangulation { origin, twin, vertices, unreferenced, components } = triangulation;
-        let mut outgoing = IdVec::filled(HalfEdgeId::NONE, vertices);
-        let mut degree = IdVec::filled(0, vertices);
+        let mut star = IdVec::filled(Star { outgoing: HalfEdgeId::NONE, degree: 0 }, vertices);
         for (h, &v) in origin.as_slice().iter().enumerate() {
-            outgoing[v] = HalfEdgeId::new(h);
-            degree[v] += 1;
+            let star = &mut star[v];
+            star.outgoing = HalfEdgeId::new(h);
+            star.degree += 1;
         }
         let vertices = vertices - unreferenced;
-        Self { origin, twin, outgoing, degree, vertices, components }
+        Self { origin, twin, star, vertices, components }
     }
 
     /// The vertex that half-edge `h` leaves.
@@ -98,18 +104,18 @@ impl ShrinkingTriangulation {
     /// Number of edges at `v`, which must not be retired.
     #[inline]
     pub fn degree(&self, v: VertexId) -> u32 {
-        self.degree[v]
+        self.star[v].degree
     }
 
     /// Some half-edge that leaves `v`, or `None` if `v` is retired or in no triangle.
     #[inline]
     pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
-        self.outgoing[v].some()
+        self.star[v].outgoing.some()
     }
 
     /// Whether triangle `f` has not been removed by a contraction.
     pub fn is_alive(&self, f: TriangleId) -> bool {
-        f.half_edges().iter().all(|&h| self.outgoing[self.origin[h]] != HalfEdgeId::NONE)
+        f.half_edges().iter().all(|&h| self.star[self.origin[h]].outgoing != HalfEdgeId::NONE)
     }
 
     /// The half-edges that leave `v`, clockwise. O(deg v).
@@ -117,7 +123,7 @@ impl ShrinkingTriangulation {
     /// # Panics
     /// If `v` is retired or in no triangle.
     pub fn spokes(&self, v: VertexId) -> Spokes<'_> {
-        let first = self.outgoing[v].some().expect("only a vertex in use has spokes");
+        let first = self.star[v].outgoing.some().expect("only a vertex in use has spokes");
         Spokes::round(&self.twin, first)
     }
 
@@ -142,7 +148,7 @@ impl ShrinkingTriangulation {
 
     /// Number of vertices of the triangulation it began as; vertex ids are below it.
     pub fn vertex_id_count(&self) -> usize {
-        self.outgoing.len()
+        self.star.len()
     }
 
     /// Number of half-edges of the triangulation it began as; half-edge ids are below it.
@@ -154,7 +160,7 @@ impl ShrinkingTriangulation {
     /// although they satisfy the link condition: the ends have degree 3 and so has what they share.
     #[inline]
     pub fn is_in_tetrahedron(&self, h: HalfEdgeId) -> bool {
-        self.degree[self.origin(h)] == 3 && self.degree[self.destination(h)] == 3
+        self.star[self.origin(h)].degree == 3 && self.star[self.destination(h)].degree == 3
     }
 
     /// Whether contracting the edge of `h` keeps the surface: no vertex but the apexes of its two
@@ -162,7 +168,7 @@ impl ShrinkingTriangulation {
     /// section 2, *link condition*). O(deg u + deg v).
     pub fn is_contractible(&self, h: HalfEdgeId, marks: &mut LinkMarks) -> bool {
         let (u, v) = (self.origin(h), self.destination(h));
-        if self.degree[u] == 3 || self.degree[v] == 3 {
+        if self.star[u].degree == 3 || self.star[v].degree == 3 {
             // A vertex of degree 3 has but one neighbour besides the apexes: the other end.
             return !self.is_in_tetrahedron(h);
         }
@@ -191,13 +197,13 @@ impl ShrinkingTriangulation {
         self.origin[e.td] = u;
         self.join(e.ta, e.tb);
         self.join(e.tc, e.td);
-        self.outgoing[u] = e.td;
-        self.outgoing[v] = HalfEdgeId::NONE;
-        self.outgoing[x] = e.ta;
-        self.outgoing[y] = e.tc;
-        self.degree[x] -= 1;
-        self.degree[y] -= 1;
-        self.degree[u] = self.degree[u] + self.degree[v] - 4;
+        self.star[u].outgoing = e.td;
+        self.star[v].outgoing = HalfEdgeId::NONE;
+        self.star[x].outgoing = e.ta;
+        self.star[y].outgoing = e.tc;
+        self.star[x].degree -= 1;
+        self.star[y].degree -= 1;
+        self.star[u].degree = self.star[u].degree + self.star[v].degree - 4;
         self.vertices -= 1;
         VertexSplit(h)
     }
@@ -219,14 +225,14 @@ impl ShrinkingTriangulation {
         self.join(e.tb, e.b);
         self.join(e.tc, e.c);
         self.join(e.td, e.d);
-        self.outgoing[u] = h;
-        self.outgoing[v] = e.hp;
-        self.outgoing[x] = e.b;
-        self.outgoing[y] = e.d;
-        self.degree[x] += 1;
-        self.degree[y] += 1;
-        self.degree[v] = moved + 3;
-        self.degree[u] = self.degree[u] + 4 - self.degree[v];
+        self.star[u].outgoing = h;
+        self.star[v].outgoing = e.hp;
+        self.star[x].outgoing = e.b;
+        self.star[y].outgoing = e.d;
+        self.star[x].degree += 1;
+        self.star[y].degree += 1;
+        self.star[v].degree = moved + 3;
+        self.star[u].degree = self.star[u].degree + 4 - self.star[v].degree;
         self.vertices += 1;
     }
 
@@ -240,10 +246,10 @@ impl ShrinkingTriangulation {
     /// The vertices that are left, in order, and the triangulation that they and the triangles that
     /// are left form, both renumbered in order. O(n).
     pub fn survivors(&self) -> (Vec<VertexId>, Triangulation) {
-        let alive = |&v: &VertexId| self.outgoing[v] != HalfEdgeId::NONE;
-        let survivors: Vec<VertexId> = self.outgoing.ids().filter(alive).collect();
+        let alive = |&v: &VertexId| self.star[v].outgoing != HalfEdgeId::NONE;
+        let survivors: Vec<VertexId> = self.star.ids().filter(alive).collect();
         debug_assert_eq!(survivors.len(), self.vertices);
-        let mut renumbered = IdVec::filled(0, self.outgoing.len());
+        let mut renumbered = IdVec::filled(0, self.star.len());
         for (new, &old) in survivors.iter().enumerate() {
             renumbered[old] = new as u32;
         }
