@@ -29,6 +29,7 @@ pub mod clock;
 pub mod convert;
 mod disjoint_sets;
 pub mod dual;
+pub mod dynamic;
 #[cfg(feature = "generate")]
 pub mod generate;
 pub mod irreducible;

@@ -4,6 +4,7 @@
 //! that the compiler then asks for. Tests, `demo` and the command line iterate over
 //! [`Algorithm::ALL`].
 
+pub mod cubic;
 mod pulli_segal;
 mod simple_greedy;
 mod triquad;
@@ -14,6 +15,7 @@ use crate::dual::{DualGraph, Matching};
 use crate::random::Random;
 use crate::triangulation::Triangulation;
 
+pub use cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
 pub use pulli_segal::pulli_segal;
 pub use simple_greedy::simple_greedy;
 pub use triquad::triquad;
@@ -41,11 +43,23 @@ pub enum Algorithm {
     SimpleGreedy,
     /// `ps`: the greedy algorithm of Pulli and Segal, triangles in random order (section 3.1).
     PulliSegal,
+    /// `ds`: Frink's reductions with dynamic connectivity, in the spirit of Diks and Stanczyk
+    /// (section 3.2). Perfect straight away; the seed is ignored.
+    DiksStanczyk,
+    /// `gw`: Frink's reductions with a link-cut tree alone, in the spirit of Gawrychowski and
+    /// Wasylkiewicz (2024). Perfect straight away; the seed is ignored.
+    GawrychowskiWasylkiewicz,
 }
 
 impl Algorithm {
     /// All algorithms there are.
-    pub const ALL: [Self; 3] = [Self::Triquad, Self::SimpleGreedy, Self::PulliSegal];
+    pub const ALL: [Self; 5] = [
+        Self::Triquad,
+        Self::SimpleGreedy,
+        Self::PulliSegal,
+        Self::DiksStanczyk,
+        Self::GawrychowskiWasylkiewicz,
+    ];
 
     /// The name on the command line and in records.
     pub fn id(self) -> &'static str {
@@ -53,12 +67,14 @@ impl Algorithm {
             Self::Triquad => "tq",
             Self::SimpleGreedy => "sg",
             Self::PulliSegal => "ps",
+            Self::DiksStanczyk => "ds",
+            Self::GawrychowskiWasylkiewicz => "gw",
         }
     }
 
     /// Pairs up triangles of `triangulation`.
     ///
-    /// Equal input and equal `random` give equal output. O(n).
+    /// Equal input and equal `random` give equal output. O(n); `ds` O(n log² n), `gw` O(n log n).
     pub fn pair<'t>(
         self,
         triangulation: &'t Triangulation,
@@ -69,6 +85,10 @@ impl Algorithm {
             Self::Triquad => triquad(&mut dual),
             Self::SimpleGreedy => simple_greedy(&dual, random),
             Self::PulliSegal => pulli_segal(&mut dual, Some(random)),
+            // A triangulation is closed, so its dual graph is cubic. It is bridgeless: the edge across
+            // side ab is on the ring of triangles round a, and once only, as a and b differ.
+            Self::DiksStanczyk => diks_stanczyk(&dual).expect(LEGAL),
+            Self::GawrychowskiWasylkiewicz => gawrychowski_wasylkiewicz(&dual).expect(LEGAL),
         };
         debug_assert!(matching.is_matching_of(&dual));
         InitialPairing {
@@ -79,6 +99,8 @@ impl Algorithm {
         }
     }
 }
+
+const LEGAL: &str = "the dual graph of a closed surface is cubic and bridgeless";
 
 impl std::fmt::Display for Algorithm {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

@@ -1,0 +1,245 @@
+//! GW: a spanning tree with covers in one link-cut tree decides. O(n log n).
+//!
+//! In the spirit of P. Gawrychowski and M. Wasylkiewicz, *Finding Perfect Matchings in Bridgeless
+//! Cubic Multigraphs Without Dynamic (2-)connectivity*, ESA 2024. Their full text was not at hand; the
+//! reconstruction is proved here and in the [module's text](super), and tested.
+//!
+//! Kept for every graph on the way: a spanning tree T, and for every edge of T a *cover*, an edge
+//! outside T whose cycle with T passes it. The covers certify that there is no bridge, and they say
+//! how to mend T after u and v have been removed:
+//!
+//! 1. T − {u, v} has K components, 1 ≤ K ≤ 4, each with a terminal (w, x, y_r, y_s).
+//! 2. A component with *one* terminal hung on T by that terminal's removed edge. The cover of that edge
+//!    leaves the component, and ends neither in u nor in v (such edges end in terminals): it joins
+//!    T. This is repeated until K = 1, or K = 2 with two terminals each.
+//! 3. K = 1: T spans the graph that is left, and the rule for trees (`super`) chooses. Both new edges
+//!    stay outside T and become the covers of their paths in T.
+//!    K = 2: two new edges from one component to the other; one joins T, the other becomes the cover
+//!    of its path in T, which runs over the first.
+//!
+//! ```text
+//!       w---(  )---x           K = 2:  w ~~ x      y_r ~~ y_s        ~~ path in T
+//!                                      |             |
+//!       y_r-(  )---y_s                 f'-----------y_r   covers  w ~~ x --c'-- y_s ~~ y_r
+//! ```
+//!
+//! No other cover changes. Let k be a tree edge that is on none of those paths; they span all four
+//! terminals, so one side X of T − k has no terminal. What joined T in step 2 or 3 has terminals on
+//! both sides and so does not lie in X; X is connected by old tree edges, none but k leaves it, and
+//! X is a side of the old T − k too. The cover of k left X, ends where it ended, and has not joined T,
+//! or it would leave X as a second tree edge.
+
+use super::graph::{Candidate, Contraction, EdgeId, Multigraph, NodeId, Reduction};
+use super::solve::Decide;
+use super::tree_rule::tree_rule;
+use crate::dynamic::LinkCutForest;
+use crate::triangulation::IdVec;
+
+/// The spanning tree. 16 bytes for each node and each edge, and one for each edge.
+pub(super) struct SpanningTree {
+    /// Nodes, and behind them edges: a tree edge is a node of degree 2 whose value is its cover, other
+    /// edges are alone.
+    pub(super) forest: LinkCutForest,
+    /// Number of nodes of the graph.
+    nodes: u32,
+    pub(super) in_tree: IdVec<EdgeId, bool>,
+}
+
+/// How the removed edges hung together with the rest.
+struct Attachments {
+    /// Edges and terminals in the order w, x, y_r, y_s.
+    edges: [(EdgeId, NodeId); 4],
+    /// The component of the rest that each terminal is in, by the number of a terminal in it.
+    component: [usize; 4],
+    /// The covers that those edges had that were in T.
+    cover: [EdgeId; 4],
+    /// Number of components, K.
+    count: u32,
+}
+
+impl SpanningTree {
+    /// The breadth-first tree of a graph as built, with covers as `covers` finds them. O(n).
+    pub(super) fn new(graph: &Multigraph, cover: &IdVec<NodeId, EdgeId>) -> Self {
+        let nodes = graph.around.len() as u32;
+        let mut in_tree = IdVec::filled(false, graph.ends.len());
+        cover.ids().skip(1).for_each(|v| in_tree[graph.around[v][0]] = true);
+        let parent = |node: u32| match node.checked_sub(nodes) {
+            None => graph.parent(NodeId(node)).map(|(_, edge)| nodes + edge.0),
+            Some(edge) => in_tree[EdgeId(edge)].then(|| graph.ends[EdgeId(edge)][0].0),
+        };
+        let count = graph.around.len() + graph.ends.len();
+        let mut forest = LinkCutForest::from_parents(count, parent);
+        for v in cover.ids().skip(1) {
+            forest.set_value(nodes + graph.around[v][0].0, cover[v].0);
+        }
+        Self { forest, nodes, in_tree }
+    }
+
+    /// The node of the forest that stands for `edge`.
+    pub(super) fn node(&self, edge: EdgeId) -> u32 {
+        self.nodes + edge.0
+    }
+
+    fn connected(&mut self, a: NodeId, b: NodeId) -> bool {
+        self.forest.connected(a.0, b.0)
+    }
+
+    /// Makes `edge` a tree edge between `a` and `b`.
+    fn link(&mut self, edge: EdgeId, [a, b]: [NodeId; 2]) {
+        self.in_tree[edge] = true;
+        self.forest.link_through(a.0, self.node(edge), b.0);
+    }
+
+    /// Cuts `terminal` from the tree edge above it. Returns the cover that the edge had.
+    fn cut_above(&mut self, edge: EdgeId, terminal: NodeId) -> EdgeId {
+        let above = self.forest.cut_above(terminal.0);
+        debug_assert!(above.is_some(), "u or v is the root");
+        EdgeId(self.forest.value(self.node(edge)))
+    }
+
+    /// Removes `u`, `v` and the edges at them, whose other ends have been cut off.
+    fn dissolve(&mut self, u: NodeId, v: NodeId, edges: &[EdgeId]) {
+        let mut nodes = [u.0; 7];
+        nodes[1] = v.0;
+        for (node, &edge) in nodes[2..].iter_mut().zip(edges) {
+            *node = self.node(edge);
+            self.in_tree[edge] = false;
+        }
+        self.forest.dissolve(&nodes[..2 + edges.len()]);
+    }
+
+    /// Number of components of T − {u, v}.
+    fn component_count(&self, cut: &Reduction) -> u32 {
+        let hanging = cut.attachments().map(|(edge, _)| u32::from(self.in_tree[edge]));
+        hanging.into_iter().sum::<u32>() - u32::from(!self.in_tree[cut.e])
+    }
+
+    /// Step 1: removes u and v.
+    fn isolate(&mut self, cut: &Reduction) -> Attachments {
+        let edges = cut.attachments();
+        let count = self.component_count(cut);
+        let was_in_tree = edges.map(|(edge, _)| self.in_tree[edge]);
+        let joined = self.in_tree[cut.e];
+        let mut cover = [EdgeId::NONE; 4];
+        for (i, (edge, terminal)) in edges.into_iter().enumerate() {
+            if i == 0 {
+                self.forest.evert(cut.u.0);
+            } else if i == 2 && !joined {
+                self.forest.evert(cut.v.0);
+            }
+            if was_in_tree[i] {
+                cover[i] = self.cut_above(edge, terminal);
+            }
+        }
+        self.dissolve(cut.u, cut.v, &[cut.e, cut.f, cut.c, cut.r, cut.s]);
+        // With e in T, what hung on u and v by edges of T is apart now.
+        let apart = was_in_tree.map(|was| was && joined);
+        let component = self.components(edges.map(|(_, terminal)| terminal), apart, count);
+        Attachments { edges, component, cover, count }
+    }
+
+    /// Which terminals are in one component: `count` components there are, and terminals that are
+    /// `apart` are in different ones.
+    fn components(&mut self, terminals: [NodeId; 4], apart: [bool; 4], count: u32) -> [usize; 4] {
+        let mut component = [0; 4];
+        if count == 1 {
+            return component;
+        }
+        let mut known = [0; 4];
+        let mut found = 0;
+        let order = (0..4).filter(|&i| apart[i]).chain((0..4).filter(|&i| !apart[i]));
+        for i in order {
+            let same = (0..found).find(|&k| {
+                let last_chance = found == count as usize && k + 1 == found;
+                !apart[i] && (last_chance || self.connected(terminals[known[k]], terminals[i]))
+            });
+            component[i] = match same {
+                Some(k) => known[k],
+                None => {
+                    known[found] = i;
+                    found += 1;
+                    i
+                }
+            };
+        }
+        debug_assert_eq!(found as u32, count);
+        component
+    }
+
+    /// Step 2: joins components with one terminal to others.
+    fn mend(&mut self, graph: &Multigraph, rest: &mut Attachments) {
+        while rest.count > 1
+            && let Some(i) = rest.lone_terminal()
+        {
+            let edge = rest.cover[i];
+            self.link(edge, graph.ends[edge]);
+            let mut others = (0..4).filter(|&j| j != i && rest.component[j] == j);
+            let last = others.next_back().expect("there are two components at least");
+            let terminal = |j: usize| rest.edges[j].1;
+            let joined = others.find(|&j| self.connected(terminal(j), terminal(i)));
+            rest.component[i] = joined.unwrap_or(last);
+            rest.count -= 1;
+        }
+    }
+
+    /// Step 3 for K = 1.
+    fn choose_by_tree(&mut self, cut: &Reduction) -> Candidate {
+        let candidate = tree_rule(&mut self.forest, cut);
+        let [(_, near_w), (_, near_x)] = cut.joined(candidate);
+        self.forest.assign_above(near_w.0, cut.f.0);
+        self.forest.assign_path(cut.x.0, near_x.0, cut.c.0);
+        candidate
+    }
+
+    /// Step 3 for K = 2. The excluded edge stays outside T, so that later steps find few tree edges.
+    fn choose_across(&mut self, cut: &Reduction, rest: &Attachments) -> Candidate {
+        let [w, _, y_r, _] = rest.component;
+        let candidate = if w != y_r { Candidate::H1 } else { Candidate::H2 };
+        let [(_, near_w), (_, near_x)] = cut.joined(candidate);
+        self.link(cut.c, [cut.x, near_x]);
+        self.forest.assign_path(cut.w.0, near_w.0, cut.f.0);
+        candidate
+    }
+}
+
+impl Attachments {
+    /// A terminal that is the only one of its component.
+    fn lone_terminal(&self) -> Option<usize> {
+        (0..4).find(|&i| self.component.iter().filter(|&&j| j == self.component[i]).count() == 1)
+    }
+}
+
+impl Decide for SpanningTree {
+    fn decide(&mut self, graph: &Multigraph, cut: &Reduction) -> Candidate {
+        let mut rest = self.isolate(cut);
+        self.mend(graph, &mut rest);
+        if rest.count == 1 { self.choose_by_tree(cut) } else { self.choose_across(cut, &rest) }
+    }
+
+    /// `f`-`u`=`v`-`t` becomes one edge. Only if the tree passed along it, that is a tree edge.
+    fn contract(&mut self, _: &Multigraph, double: &Contraction) {
+        let Contraction { u, v, f, p, q, t, w, x } = *double;
+        let [f_in_tree, t_in_tree] = [f, t].map(|edge| self.in_tree[edge]);
+        let joined = self.in_tree[p] || self.in_tree[q];
+        self.forest.evert(u.0);
+        let cover = f_in_tree.then(|| self.cut_above(f, w));
+        if !joined {
+            self.forest.evert(v.0);
+        }
+        if t_in_tree {
+            self.cut_above(t, x);
+        }
+        self.dissolve(u, v, &[f, p, q, t]);
+        match cover {
+            Some(cover) if t_in_tree && joined => {
+                self.link(f, [w, x]);
+                self.forest.set_value(self.node(f), cover.0);
+            }
+            _ => self.forest.assign_path(w.0, x.0, f.0),
+        }
+    }
+
+    fn cost(&self, cut: &Reduction) -> u32 {
+        self.component_count(cut)
+    }
+}

@@ -1,0 +1,28 @@
+//! The rule for trees: with a spanning tree of what is left, no bridge need be looked for.
+
+use super::graph::{Candidate, Reduction};
+use crate::dynamic::LinkCutForest;
+
+/// A candidate that is connected and bridgeless, by any spanning tree of the graph without `u`, `v`.
+///
+/// No edge of the tree separates the ends of one new edge from those of the other. With the tree
+/// rooted at w, let p be where the ways to x and y_s part. A tree edge has w and y_r on one side, x
+/// and y_s on the other, exactly if it is above p but not on the way to y_r:
+///
+/// ```text
+///    w             p is above y_r: H1          w             p is not above y_r:
+///    |             (w-y_r, x-y_s)             / \            the edge above p speaks
+///    p---y_r                               y_r   p           against H1, so take H2
+///   / \                                         / \          (w-y_s, x-y_r)
+///  x   y_s                                     x   y_s
+/// ```
+///
+/// Five accesses, O(log n) amortised. `w` is the root afterwards.
+pub(super) fn tree_rule(tree: &mut LinkCutForest, cut: &Reduction) -> Candidate {
+    tree.evert(cut.w.0);
+    let parting = tree.lca(cut.x.0, cut.y_s.0);
+    match tree.lca(parting, cut.y_r.0) == parting {
+        true => Candidate::H1,
+        false => Candidate::H2,
+    }
+}
