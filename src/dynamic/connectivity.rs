@@ -55,6 +55,18 @@ const NO_EDGE: Edge = Edge { ends: [NONE; 2], next: [NONE; 2], previous: [NONE; 
 /// Fewer than 2^30 nodes, so no level exceeds 29.
 const LEVELS: usize = 30;
 
+/// How many edges of a level are tried as replacements before any rises. A constant, so that bounds
+/// stay what they are; see [`DynamicConnectivity::replacement`].
+const TRIALS: u32 = 16;
+
+/// What came of trying some edges.
+enum Trial {
+    Found(u32),
+    /// There was none, and all have been tried.
+    NoneLeft,
+    Unknown,
+}
+
 /// A multigraph without loops over the nodes `0..n`, whose edges are named by the caller.
 ///
 /// Insertion and deletion are O(log² n) amortised, a question O(log n); everything is deterministic.
@@ -182,28 +194,63 @@ impl DynamicConnectivity {
     }
 
     /// An edge of level `i` between the trees of F_i that have nodes `halves`, taken from its lists.
-    /// What has been looked at in vain has risen to level i + 1.
+    ///
+    /// A few edges are tried where they are, which costs no more than to find the halves: often one of
+    /// them will do, or there are no others. Otherwise, what is looked at in vain rises to level i + 1.
     fn replacement(&mut self, halves: [u32; 2], i: u8) -> Option<u32> {
         let [one, other] = halves.map(|half| self.tours.vertex_count(half));
         let small = halves[usize::from(one > other)];
-        while let Some(way) = self.tours.find_marked(small, Mark::Tree) {
+        match self.try_some(small, i) {
+            Trial::Found(edge) => return Some(edge),
+            Trial::NoneLeft => return None,
+            Trial::Unknown => {}
+        }
+        while let Some(way) = self.tours.first_marked(small, Mark::Tree) {
             self.raise_tree_edge(way, i);
         }
-        while let Some(x) = self.tours.find_marked(small, Mark::NonTree) {
+        while let Some(x) = self.tours.first_marked(small, Mark::NonTree) {
             let edge = self.first[x as usize];
-            let ends = self.edges[edge as usize].ends;
-            let nodes =
-                ends.map(|v| if v == self.tours.label(x) { x } else { self.vertex_at(v, i) });
+            let nodes = self.nodes_of(edge, x, i);
             let inside = self.tours.connected(nodes[0], nodes[1]);
             self.unhang(edge, nodes);
             if !inside {
                 return Some(edge);
             }
             self.level[edge as usize] = i + 1;
-            let raised = ends.map(|v| self.vertex_at(v, i + 1));
+            let raised = self.edges[edge as usize].ends.map(|v| self.vertex_at(v, i + 1));
             self.hang(edge, raised);
         }
         None
+    }
+
+    /// Looks at the first few non-tree edges of level `i` at the tree of `small` in F_i; one that leads
+    /// out is taken from its lists.
+    fn try_some(&mut self, small: u32, i: u8) -> Trial {
+        let mut left = TRIALS;
+        let mut next = self.tours.first_marked(small, Mark::NonTree);
+        while let Some(x) = next {
+            let mut edge = self.first[x as usize];
+            while edge != NONE {
+                let Some(fewer) = left.checked_sub(1) else { return Trial::Unknown };
+                left = fewer;
+                let nodes = self.nodes_of(edge, x, i);
+                if !self.tours.connected(nodes[0], nodes[1]) {
+                    self.unhang(edge, nodes);
+                    return Trial::Found(edge);
+                }
+                let end = self.end_at(edge, self.tours.label(x));
+                edge = self.edges[edge as usize].next[end];
+            }
+            next = self.tours.next_marked(x, Mark::NonTree);
+        }
+        Trial::NoneLeft
+    }
+
+    /// The nodes of the ends of `edge` in F_i, one of which is `x`.
+    fn nodes_of(&mut self, edge: u32, x: u32, i: u8) -> [u32; 2] {
+        let v = self.tours.label(x);
+        let ends = self.edges[edge as usize].ends;
+        ends.map(|end| if end == v { x } else { self.vertex_at(end, i) })
     }
 
     /// Makes the tree edge of level `i` with this way in F_i one of level i + 1.

@@ -172,17 +172,32 @@ impl EulerTourForest {
         self.nodes[node as usize].label & mark as u32 != 0
     }
 
-    /// Some node with this mark in the tree of `node`, if there is one.
-    pub fn find_marked(&mut self, node: u32, mark: Mark) -> Option<u32> {
+    /// The first node with this mark in the tree of `node`, if there is one; where a walk begins is up to
+    /// the forest.
+    pub fn first_marked(&mut self, node: u32, mark: Mark) -> Option<u32> {
         self.splay(node);
+        self.first_marked_below(node, mark)
+    }
+
+    /// The next node with this mark after `node` in the same walk, until the forest is changed.
+    pub fn next_marked(&mut self, node: u32, mark: Mark) -> Option<u32> {
+        self.splay(node);
+        self.first_marked_below(self.nodes[node as usize].child[1], mark)
+    }
+
+    /// The first node with this mark in the subtree of a node or none, near the root of the splay tree.
+    fn first_marked_below(&mut self, mut at: u32, mark: Mark) -> Option<u32> {
         let has = |at: u32| at != NONE && self.nodes[at as usize].total & mark as u32 != 0;
-        let mut at = node;
         if !has(at) {
             return None;
         }
-        while !self.has_mark(at, mark) {
+        loop {
             let [left, right] = self.nodes[at as usize].child;
-            at = if has(left) { left } else { right };
+            at = match has(left) {
+                true => left,
+                false if self.has_mark(at, mark) => break,
+                false => right,
+            };
         }
         self.splay(at);
         Some(at)
@@ -245,9 +260,7 @@ impl EulerTourForest {
     /// Makes `child`, which may be none, the child of the root `parent` on `side`.
     fn adopt(&mut self, parent: u32, child: u32, side: usize) {
         self.nodes[parent as usize].child[side] = child;
-        if child != NONE {
-            self.nodes[child as usize].parent = parent;
-        }
+        self.set_parent(child, parent);
         self.update(parent);
     }
 
@@ -257,15 +270,26 @@ impl EulerTourForest {
         (u32::from(node.twin == NONE) << MARKS) | node.label & MARK_MASK
     }
 
+    /// The total of the subtree of a node or none.
+    #[inline]
+    fn total(&self, node: u32) -> u32 {
+        self.nodes.get(node as usize).map_or(0, |node| node.total)
+    }
+
+    /// The total of a node over subtrees with these totals.
+    #[inline]
+    fn sum(node: &Node, below: [u32; 2]) -> u32 {
+        let [a, b] = below;
+        let own = Self::own_total(node);
+        let count = (a & !MARK_MASK) + (b & !MARK_MASK) + (own & !MARK_MASK);
+        count | (a | b | own) & MARK_MASK
+    }
+
     /// Computes the total of `node` from its children.
     #[inline]
     fn update(&mut self, node: u32) {
         let here = &self.nodes[node as usize];
-        let mut total = Self::own_total(here);
-        for child in here.child.into_iter().filter(|&child| child != NONE) {
-            let below = self.nodes[child as usize].total;
-            total = (total + (below & !MARK_MASK)) | below & MARK_MASK;
-        }
+        let total = Self::sum(here, here.child.map(|child| self.total(child)));
         self.nodes[node as usize].total = total;
     }
 
@@ -275,36 +299,67 @@ impl EulerTourForest {
             if parent == NONE {
                 return;
             }
-            let grandparent = self.nodes[parent as usize].parent;
-            if grandparent != NONE {
-                let straight = self.side(parent, node) == self.side(grandparent, parent);
-                self.rotate(if straight { parent } else { node });
+            match self.nodes[parent as usize].parent {
+                NONE => self.step(node, parent),
+                grandparent => self.double_step(node, parent, grandparent),
             }
-            self.rotate(node);
+        }
+    }
+
+    /// Exchanges `v` with its parent, the root; for drawings of the steps see the link-cut trees.
+    #[inline]
+    fn step(&mut self, v: u32, parent: u32) {
+        let (mut here, mut up) = (self.nodes[v as usize], self.nodes[parent as usize]);
+        let side = usize::from(up.child[1] == v);
+        here.parent = NONE;
+        here.total = up.total;
+        up.parent = v;
+        up.child[side] = std::mem::replace(&mut here.child[1 - side], parent);
+        self.set_parent(up.child[side], parent);
+        up.total = Self::sum(&up, up.child.map(|child| self.total(child)));
+        self.nodes[v as usize] = here;
+        self.nodes[parent as usize] = up;
+    }
+
+    /// Moves `v` above its parent and grandparent. Only their totals are computed: `v` gets that of the
+    /// whole, which stays the same.
+    #[inline]
+    fn double_step(&mut self, v: u32, parent: u32, grandparent: u32) {
+        let mut here = self.nodes[v as usize];
+        let (mut up, mut top) = (self.nodes[parent as usize], self.nodes[grandparent as usize]);
+        let side = usize::from(top.child[1] == parent);
+        here.parent = top.parent;
+        here.total = top.total;
+        up.parent = v;
+        if up.child[side] == v {
+            top.child[side] = std::mem::replace(&mut up.child[1 - side], grandparent);
+            up.child[side] = std::mem::replace(&mut here.child[1 - side], parent);
+            top.parent = parent;
+            self.set_parent(up.child[side], parent);
+            top.total = Self::sum(&top, top.child.map(|child| self.total(child)));
+            up.total = Self::sum(&up, [self.total(up.child[side]), top.total]);
+        } else {
+            top.child[side] = std::mem::replace(&mut here.child[1 - side], grandparent);
+            up.child[1 - side] = std::mem::replace(&mut here.child[side], parent);
+            top.parent = v;
+            self.set_parent(up.child[1 - side], parent);
+            top.total = Self::sum(&top, top.child.map(|child| self.total(child)));
+            up.total = Self::sum(&up, up.child.map(|child| self.total(child)));
+        }
+        self.set_parent(top.child[side], grandparent);
+        self.nodes[v as usize] = here;
+        self.nodes[parent as usize] = up;
+        self.nodes[grandparent as usize] = top;
+        if here.parent != NONE {
+            let slots = &mut self.nodes[here.parent as usize].child;
+            slots[usize::from(slots[1] == grandparent)] = v;
         }
     }
 
     #[inline]
-    fn side(&self, parent: u32, node: u32) -> usize {
-        usize::from(self.nodes[parent as usize].child[1] == node)
-    }
-
-    /// Exchanges `node` with its parent, keeping the order. The subtree as a whole stays the same, so
-    /// only the parent's total is computed.
-    #[inline]
-    fn rotate(&mut self, node: u32) {
-        let parent = self.nodes[node as usize].parent;
-        let side = self.side(parent, node);
-        let total = self.nodes[parent as usize].total;
-        let here = &mut self.nodes[node as usize];
-        let inner = std::mem::replace(&mut here.child[1 - side], parent);
-        here.total = total;
-        let above = std::mem::replace(&mut self.nodes[parent as usize].parent, node);
-        self.nodes[node as usize].parent = above;
-        if above != NONE {
-            let side = self.side(above, parent);
-            self.nodes[above as usize].child[side] = node;
+    fn set_parent(&mut self, node: u32, parent: u32) {
+        if node != NONE {
+            self.nodes[node as usize].parent = parent;
         }
-        self.adopt(parent, inner, side);
     }
 }

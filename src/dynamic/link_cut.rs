@@ -220,21 +220,14 @@ impl LinkCutForest {
 
     /// Makes `v` the root of its splay tree, with nothing left to push from it.
     ///
-    /// Pushing just ahead of the rotations is enough: what is pending further up reverses both
-    /// subtrees and steps alike.
+    /// Pushing just ahead of the steps is enough: what is pending further up reverses both subtrees
+    /// and steps alike.
     fn splay(&mut self, v: u32) {
         while let Some(parent) = self.parent_in_path(v) {
-            if let Some(grandparent) = self.parent_in_path(parent) {
-                self.push(grandparent);
-                self.push(parent);
-                self.push(v);
-                let straight = self.side(parent, v) == self.side(grandparent, parent);
-                self.rotate(if straight { parent } else { v });
-            } else {
-                self.push(parent);
-                self.push(v);
+            match self.parent_in_path(parent) {
+                Some(grandparent) => self.double_step(v, parent, grandparent),
+                None => self.step(v, parent),
             }
-            self.rotate(v);
         }
         self.push(v);
     }
@@ -246,13 +239,7 @@ impl LinkCutForest {
         (parent != NONE && self.nodes[parent as usize].child.contains(&v)).then_some(parent)
     }
 
-    /// On which side of its parent the child `v` is.
-    #[inline]
-    fn side(&self, parent: u32, v: u32) -> usize {
-        usize::from(self.nodes[parent as usize].child[1] == v)
-    }
-
-    /// Exchanges `v` with its parent in the splay tree:
+    /// Exchanges `v` with its parent, the root of the splay tree:
     ///
     /// ```text
     ///      parent          v
@@ -262,21 +249,70 @@ impl LinkCutForest {
     ///   A   B              B      C
     /// ```
     #[inline]
-    fn rotate(&mut self, v: u32) {
-        let parent = self.nodes[v as usize].parent;
-        let side = self.side(parent, v);
-        let inner = std::mem::replace(&mut self.nodes[v as usize].child[1 - side], parent);
-        let above = self.nodes[parent as usize].parent;
-        self.nodes[parent as usize].child[side] = inner;
-        self.nodes[parent as usize].parent = v;
-        self.nodes[v as usize].parent = above;
-        if inner != NONE {
-            self.nodes[inner as usize].parent = parent;
+    fn step(&mut self, v: u32, parent: u32) {
+        self.push(parent);
+        self.push(v);
+        let (mut here, mut up) = (self.nodes[v as usize], self.nodes[parent as usize]);
+        let side = usize::from(up.child[1] == v);
+        let inner = here.child[1 - side];
+        (here.parent, here.child[1 - side]) = (up.parent, parent);
+        (up.parent, up.child[side]) = (v, inner);
+        self.nodes[v as usize] = here;
+        self.nodes[parent as usize] = up;
+        self.set_parent(inner, parent);
+    }
+
+    /// Moves `v` above its parent and grandparent:
+    ///
+    /// ```text
+    ///           g         v                       g               v
+    ///          / \       / \                     / \            /   \
+    ///         p   D     A   p                   p   D          p     g
+    ///        / \    →      / \       or        / \      →    / \   / \
+    ///       v   C         B   g                A   v        A   B C   D
+    ///      / \               / \                  / \
+    ///     A   B             C   D                B   C
+    /// ```
+    #[inline]
+    fn double_step(&mut self, v: u32, parent: u32, grandparent: u32) {
+        self.push(grandparent);
+        self.push(parent);
+        self.push(v);
+        let mut here = self.nodes[v as usize];
+        let (mut up, mut top) = (self.nodes[parent as usize], self.nodes[grandparent as usize]);
+        let side = usize::from(top.child[1] == parent);
+        let above = std::mem::replace(&mut here.parent, top.parent);
+        debug_assert_eq!(above, parent);
+        let to_top;
+        if up.child[side] == v {
+            to_top = std::mem::replace(&mut up.child[1 - side], grandparent);
+            up.child[side] = std::mem::replace(&mut here.child[1 - side], parent);
+            self.set_parent(up.child[side], parent);
+            top.parent = parent;
+        } else {
+            to_top = std::mem::replace(&mut here.child[1 - side], grandparent);
+            up.child[1 - side] = std::mem::replace(&mut here.child[side], parent);
+            self.set_parent(up.child[1 - side], parent);
+            top.parent = v;
         }
-        if above != NONE
-            && let Some(slot) = self.nodes[above as usize].child.iter_mut().find(|c| **c == parent)
-        {
-            *slot = v;
+        up.parent = v;
+        top.child[side] = to_top;
+        self.set_parent(to_top, grandparent);
+        self.nodes[v as usize] = here;
+        self.nodes[parent as usize] = up;
+        self.nodes[grandparent as usize] = top;
+        if here.parent != NONE {
+            let slots = &mut self.nodes[here.parent as usize].child;
+            if let Some(slot) = slots.iter_mut().find(|slot| **slot == grandparent) {
+                *slot = v;
+            }
+        }
+    }
+
+    #[inline]
+    fn set_parent(&mut self, v: u32, parent: u32) {
+        if v != NONE {
+            self.nodes[v as usize].parent = parent;
         }
     }
 

@@ -97,9 +97,8 @@ impl Decide for DynamicGraph {
     }
 
     /// The number of tree edges to be deleted.
-    fn cost(&self, cut: &Reduction) -> u32 {
+    fn cost(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32 {
         let tree_edge = |edge: EdgeId| u32::from(self.graph.is_tree_edge(edge.0));
-        let hanging = cut.attachments().map(|(edge, _)| tree_edge(edge));
-        hanging.into_iter().sum::<u32>() + tree_edge(cut.e)
+        tree_edge(e) + beside.map(tree_edge).into_iter().sum::<u32>()
     }
 }

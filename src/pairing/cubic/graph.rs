@@ -94,16 +94,21 @@ impl<'g> Numbering<'g> {
         NodeId(self.place[f] - start as u32)
     }
 
-    /// The edges of a component in their order in its [`Multigraph`], each with its lower end first.
-    pub(super) fn edges(
+    /// Calls `visit` with each edge of a component, its lower end first, in the order that they have in
+    /// its [`Multigraph`].
+    pub(super) fn for_each_edge(
         &self,
         component: Range<usize>,
-    ) -> impl Iterator<Item = [TriangleId; 2]> + use<'_, 'g> {
-        component.flat_map(move |place| {
+        mut visit: impl FnMut([TriangleId; 2]),
+    ) {
+        for place in component {
             let f = self.order[place];
-            let later = move |&g: &TriangleId| self.place[g] > place as u32;
-            self.graph.neighbours(f).filter(later).map(move |g| [f, g])
-        })
+            for g in self.graph.neighbours(f) {
+                if self.place[g] > place as u32 {
+                    visit([f, g]);
+                }
+            }
+        }
     }
 }
 
@@ -130,14 +135,14 @@ impl Multigraph {
         let start = component.start;
         let mut ends = Vec::with_capacity(component.len() * 3 / 2);
         let mut around = IdVec::filled([EdgeId::NONE; 3], component.len());
-        for edge in numbering.edges(component) {
+        numbering.for_each_edge(component, |edge| {
             let nodes = edge.map(|f| numbering.node(f, start));
             for v in nodes {
                 let slot = around[v].iter_mut().find(|slot| **slot == EdgeId::NONE);
                 *slot.expect("a dual graph has degrees of at most 3") = EdgeId::new(ends.len());
             }
             ends.push(nodes);
-        }
+        });
         match around.ids().find(|&v: &NodeId| around[v].contains(&EdgeId::NONE)) {
             Some(v) => Err(IllegalGraph::Degree(numbering.triangle(start + v.index()).0)),
             None => Ok(Self { ends: ends.into(), around }),

@@ -51,7 +51,7 @@ struct Attachments {
     edges: [(EdgeId, NodeId); 4],
     /// The component of the rest that each terminal is in, by the number of a terminal in it.
     component: [usize; 4],
-    /// The covers that those edges had that were in T.
+    /// The covers that those edges had that were in T, if K > 1.
     cover: [EdgeId; 4],
     /// Number of components, K.
     count: u32,
@@ -90,10 +90,15 @@ impl SpanningTree {
         self.forest.link_through(a.0, self.node(edge), b.0);
     }
 
-    /// Cuts `terminal` from the tree edge above it. Returns the cover that the edge had.
-    fn cut_above(&mut self, edge: EdgeId, terminal: NodeId) -> EdgeId {
+    /// Cuts `terminal` from the tree edge above it, one at the root.
+    fn cut_above(&mut self, terminal: NodeId) {
         let above = self.forest.cut_above(terminal.0);
         debug_assert!(above.is_some(), "u or v is the root");
+    }
+
+    /// The cover of a tree edge.
+    fn cover(&mut self, edge: EdgeId) -> EdgeId {
+        debug_assert!(self.in_tree[edge]);
         EdgeId(self.forest.value(self.node(edge)))
     }
 
@@ -108,16 +113,16 @@ impl SpanningTree {
         self.forest.dissolve(&nodes[..2 + edges.len()]);
     }
 
-    /// Number of components of T − {u, v}.
-    fn component_count(&self, cut: &Reduction) -> u32 {
-        let hanging = cut.attachments().map(|(edge, _)| u32::from(self.in_tree[edge]));
-        hanging.into_iter().sum::<u32>() - u32::from(!self.in_tree[cut.e])
+    /// Number K of components of T − {u, v} for an edge `e` between u and v, and the edges beside it.
+    fn component_count(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32 {
+        let hanging = beside.map(|edge| u32::from(self.in_tree[edge]));
+        hanging.into_iter().sum::<u32>() - u32::from(!self.in_tree[e])
     }
 
     /// Step 1: removes u and v.
     fn isolate(&mut self, cut: &Reduction) -> Attachments {
         let edges = cut.attachments();
-        let count = self.component_count(cut);
+        let count = self.component_count(cut.e, edges.map(|(edge, _)| edge));
         let was_in_tree = edges.map(|(edge, _)| self.in_tree[edge]);
         let joined = self.in_tree[cut.e];
         let mut cover = [EdgeId::NONE; 4];
@@ -128,7 +133,10 @@ impl SpanningTree {
                 self.forest.evert(cut.v.0);
             }
             if was_in_tree[i] {
-                cover[i] = self.cut_above(edge, terminal);
+                self.cut_above(terminal);
+                if count > 1 {
+                    cover[i] = self.cover(edge);
+                }
             }
         }
         self.dissolve(cut.u, cut.v, &[cut.e, cut.f, cut.c, cut.r, cut.s]);
@@ -222,12 +230,15 @@ impl Decide for SpanningTree {
         let [f_in_tree, t_in_tree] = [f, t].map(|edge| self.in_tree[edge]);
         let joined = self.in_tree[p] || self.in_tree[q];
         self.forest.evert(u.0);
-        let cover = f_in_tree.then(|| self.cut_above(f, w));
+        let cover = f_in_tree.then(|| {
+            self.cut_above(w);
+            self.cover(f)
+        });
         if !joined {
             self.forest.evert(v.0);
         }
         if t_in_tree {
-            self.cut_above(t, x);
+            self.cut_above(x);
         }
         self.dissolve(u, v, &[f, p, q, t]);
         match cover {
@@ -239,7 +250,7 @@ impl Decide for SpanningTree {
         }
     }
 
-    fn cost(&self, cut: &Reduction) -> u32 {
-        self.component_count(cut)
+    fn cost(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32 {
+        self.component_count(e, beside)
     }
 }

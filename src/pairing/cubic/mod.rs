@@ -88,11 +88,12 @@ fn each_component(graph: &DualGraph, method: Method) -> Result<Matching, Illegal
         let places = numbering.visit(root);
         let component = Component::new(&numbering, places.clone())?;
         let matched = component.matching_without(EdgeId(0), method);
-        for ([f, g], is_matched) in numbering.edges(places).zip(matched.as_slice()) {
-            if *is_matched {
+        let mut is_matched = matched.as_slice().iter();
+        numbering.for_each_edge(places, |[f, g]| {
+            if is_matched.next() == Some(&true) {
                 matching.pair(f, g);
             }
-        }
+        });
     }
     Ok(matching)
 }

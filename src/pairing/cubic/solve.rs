@@ -13,8 +13,9 @@ pub(super) trait Decide {
     /// A contraction follows.
     fn contract(&mut self, graph: &Multigraph, double: &Contraction);
 
-    /// How much work the decision would be; the least is taken.
-    fn cost(&self, cut: &Reduction) -> u32;
+    /// How much work the decision would be if the edge `e` were taken, with these edges beside it;
+    /// the least is taken.
+    fn cost(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32;
 }
 
 /// A perfect matching of `graph` that avoids `f`. n / 2 steps, and 6 bytes a node for receipts.
@@ -51,27 +52,26 @@ pub(super) fn matching_without(
 
 /// A contraction at `f` if there is one, or else the reduction that costs least.
 fn next_move(graph: &Multigraph, f: EdgeId, decider: &impl Decide) -> Move {
-    let mut best: Option<(u32, Reduction)> = None;
+    let mut best: Option<(u32, NodeId, EdgeId, EdgeId)> = None;
     for u in graph.ends[f] {
         let others = graph.others(u, f);
-        let [v, other_v] = others.map(|edge| graph.far_end(edge, u));
-        if v == other_v {
+        let far = others.map(|edge| graph.far_end(edge, u));
+        if far[0] == far[1] {
             return Move::Contract(contraction(graph, f, u, others));
         }
         let w = graph.far_end(f, u);
-        for (e, c) in [(others[0], others[1]), (others[1], others[0])] {
-            // An edge beside f is no simple one.
-            if graph.far_end(e, u) != w {
-                let cut = reduction(graph, f, u, e, c);
-                let cost = decider.cost(&cut);
-                if best.is_none_or(|(least, _)| cost < least) {
-                    best = Some((cost, cut));
-                }
+        // An edge beside f is no simple one.
+        for i in (0..2).filter(|&i| far[i] != w) {
+            let (e, c) = (others[i], others[1 - i]);
+            let [r, s] = graph.others(far[i], e);
+            let cost = decider.cost(e, [f, c, r, s]);
+            if best.is_none_or(|(least, ..)| cost < least) {
+                best = Some((cost, u, e, c));
             }
         }
     }
-    let (_, cut) = best.expect("two edges at u that end in different nodes: one is simple");
-    Move::Reduce(cut)
+    let (_, u, e, c) = best.expect("two edges at u that end in different nodes: one is simple");
+    Move::Reduce(reduction(graph, f, u, e, c))
 }
 
 fn contraction(graph: &Multigraph, f: EdgeId, u: NodeId, [p, q]: [EdgeId; 2]) -> Contraction {

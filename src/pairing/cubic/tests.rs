@@ -66,7 +66,7 @@ impl Decide for Naive {
         self.left -= 2;
     }
 
-    fn cost(&self, _: &Reduction) -> u32 {
+    fn cost(&self, _: EdgeId, _: [EdgeId; 4]) -> u32 {
         0
     }
 }
@@ -187,8 +187,8 @@ impl<D: Audit> Decide for Checked<D> {
         self.check(&next, double.w);
     }
 
-    fn cost(&self, cut: &Reduction) -> u32 {
-        self.decider.cost(cut)
+    fn cost(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32 {
+        self.decider.cost(e, beside)
     }
 }
 
