@@ -31,13 +31,14 @@ pub struct Arguments {
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// How triangles are paired at first:
-    /// tq (ours, fastest), sg (simple greedy), ps (Pulli-Segal greedy)
+    /// tq (ours, fastest), sg (simple greedy), ps (Pulli-Segal greedy), or, perfect straight away,
+    /// ds (Diks-Stanczyk) and gw (Gawrychowski-Wasylkiewicz, the faster of the two)
     #[arg(long, default_value = "tq", value_name = "NAME", value_parser = algorithms())]
     algorithm: Algorithm,
     /// How the pairing is made perfect: local (ours) or tarjan (as published, slow on purpose)
     #[arg(long, default_value = "local", value_name = "NAME", value_parser = augmentations())]
     augmentation: Augmentation,
-    /// Seed of the random choices of sg and ps; the same seed gives the same bytes
+    /// Seed of the random choices of sg and ps (the others make none); the same seed gives the same bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
     seed: u64,
     /// Write counts and times as JSON to FILE, '-' for standard output

@@ -15,6 +15,7 @@ use super::tree_rule::tree_rule;
 use crate::dynamic::{Deletion, DynamicConnectivity, LinkCutForest};
 
 /// The graph of the moment and its spanning tree. O(n) memory, O(n log n) at worst.
+#[derive(Clone)]
 pub(super) struct DynamicGraph {
     pub(super) graph: DynamicConnectivity,
     /// The spanning forest of `graph`.

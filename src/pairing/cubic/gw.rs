@@ -36,6 +36,7 @@ use crate::dynamic::LinkCutForest;
 use crate::triangulation::IdVec;
 
 /// The spanning tree. 16 bytes for each node and each edge, and one for each edge.
+#[derive(Clone)]
 pub(super) struct SpanningTree {
     /// Nodes, and behind them edges: a tree edge is a node of degree 2 whose value is its cover, other
     /// edges are alone.

@@ -207,53 +207,65 @@ enum Back {
     Gw,
 }
 
-fn solve_with(
-    component: &Component,
-    f: EdgeId,
-    decider: impl Audit,
-    depth: Depth,
-) -> IdVec<EdgeId, bool> {
-    let graph = component.graph.clone();
+fn solve_with(graph: &Multigraph, f: EdgeId, decider: impl Audit, depth: Depth) -> Matched {
     let left = graph.around.len();
     let mut decider = Checked { decider, left, audited: depth == Depth::Everything };
     match depth {
-        Depth::Result => matching_without(graph, f, &mut decider.decider),
+        Depth::Result => matching_without(graph.clone(), f, &mut decider.decider),
         _ => {
-            decider.check(&graph, NodeId(0));
-            matching_without(graph, f, &mut decider)
+            decider.check(graph, NodeId(0));
+            matching_without(graph.clone(), f, &mut decider)
         }
     }
 }
 
-/// A perfect matching without the edge `excluded`, checked against the definition.
-fn assert_solves(edges: &Edges, graph: &CubicGraph, excluded: usize, back: Back, depth: Depth) {
-    let (component, f) = (&graph.component, graph.edge[excluded]);
-    let matched = match back {
-        Back::Naive => solve_with(component, f, Naive { left: graph.node_count() }, depth),
-        Back::Ds => solve_with(component, f, DynamicGraph::new(&component.graph), depth),
-        Back::Gw => {
-            let decider = SpanningTree::new(&component.graph, &component.cover);
-            solve_with(component, f, decider, depth)
-        }
-    };
-    assert!(!matched[f], "{back:?}");
-    let mut met = vec![0; graph.node_count()];
-    for (&(a, b), &edge) in edges.iter().zip(&graph.edge) {
-        met[a as usize] += u32::from(matched[edge]);
-        met[b as usize] += u32::from(matched[edge]);
+type Matched = IdVec<EdgeId, bool>;
+
+/// A graph, and what decides about it, ready to be copied for each excluded edge.
+struct Solver<'e> {
+    edges: &'e Edges,
+    graph: CubicGraph,
+    ds: DynamicGraph,
+    gw: SpanningTree,
+}
+
+impl<'e> Solver<'e> {
+    fn new(edges: &'e Edges, graph: CubicGraph) -> Self {
+        let component = &graph.component;
+        let ds = DynamicGraph::new(&component.graph);
+        let gw = SpanningTree::new(&component.graph, &component.cover);
+        Self { edges, graph, ds, gw }
     }
-    assert!(met.iter().all(|&times| times == 1), "{back:?} without {excluded}: {edges:?}");
+
+    /// A perfect matching without the edge `excluded`, checked against the definition.
+    fn assert_solves(&self, excluded: usize, back: Back, depth: Depth) {
+        let (graph, f) = (&self.graph.component.graph, self.graph.edge[excluded]);
+        let nodes = graph.around.len();
+        let matched = match back {
+            Back::Naive => solve_with(graph, f, Naive { left: nodes }, depth),
+            Back::Ds => solve_with(graph, f, self.ds.clone(), depth),
+            Back::Gw => solve_with(graph, f, self.gw.clone(), depth),
+        };
+        assert!(!matched[f], "{back:?}");
+        let mut met = vec![0; nodes];
+        for (&(a, b), &edge) in self.edges.iter().zip(&self.graph.edge) {
+            met[a as usize] += u32::from(matched[edge]);
+            met[b as usize] += u32::from(matched[edge]);
+        }
+        let perfect = met.iter().all(|&times| times == 1);
+        assert!(perfect, "{back:?} without {excluded}: {:?}", self.edges);
+    }
 }
 
 fn assert_all(edges: &Edges, excluded: impl IntoIterator<Item = usize>, depth: Depth) {
     let nodes = edges.len() * 2 / 3;
     let graph = CubicGraph::from_edges(nodes, edges).unwrap_or_else(|e| panic!("{e}: {edges:?}"));
+    let solver = Solver::new(edges, graph);
     for excluded in excluded {
-        for back in [Back::Ds, Back::Gw] {
-            assert_solves(edges, &graph, excluded, back, depth);
-        }
+        solver.assert_solves(excluded, Back::Ds, depth);
+        solver.assert_solves(excluded, Back::Gw, depth);
         if nodes <= 100 {
-            assert_solves(edges, &graph, excluded, Back::Naive, Depth::Result);
+            solver.assert_solves(excluded, Back::Naive, Depth::Result);
         }
     }
 }
@@ -323,10 +335,9 @@ fn every_graph_is_solved(nodes: u32, backs: &[Back], depth: Depth) -> (usize, us
         all += 1;
         let Some(graph) = assert_verdict(nodes as usize, edges) else { return };
         legal += 1;
+        let solver = Solver::new(edges, graph);
         for excluded in 0..edges.len() {
-            for &back in backs {
-                assert_solves(edges, &graph, excluded, back, depth);
-            }
+            backs.iter().for_each(|&back| solver.assert_solves(excluded, back, depth));
         }
     });
     (legal, all)
