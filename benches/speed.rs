@@ -5,7 +5,8 @@
 //! variable `MESHES` names others, separated by white space. If `LEMON` names a program that is called
 //! as `LEMON VARIANT FILE.dual` and prints JSON with `algo_s` (the seconds that LEMON's maximum
 //! matching takes on the dual graph), the least of its variants' seconds is the yardstick L, and times
-//! are given as multiples of it too. A `.dual` file holds 32-bit integers: the number of nodes, the
+//! are given as multiples of it too. On small meshes petgraph's maximum matching of the dual graph is
+//! timed beside ours. A `.dual` file holds 32-bit integers: the number of nodes, the
 //! number of edges, and both ends of each edge.
 
 use std::collections::BTreeMap;
@@ -22,7 +23,11 @@ use triquad::{DualGraph, Triangulation};
 use triquad_generators::{grids, random};
 
 const ROUNDS: usize = 3;
-const ALGORITHMS: [&str; 3] = ["tq", "ps", "sg"];
+const ALGORITHMS: [&str; 5] = ["tq", "ps", "sg", "gw", "ds"];
+/// DS takes about 15 µs a triangle: beyond this one is left out.
+const DS_LIMIT: f64 = 1.1e6;
+/// petgraph takes seconds for this many triangles, and four times as long for twice as many.
+const PETGRAPH_LIMIT: f64 = 12e3;
 const METHODS: [&str; 3] = ["rs", "schipper", "brute-force"];
 const VARIANTS: [&str; 3] = ["lemon_greedydense", "lemon_dense", "lemon_run"];
 
@@ -62,12 +67,15 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// An irregular sphere as from a scanner, a regular torus, and a larger torus, as OBJ files.
+/// Irregular spheres as from a scanner, small and large, a regular torus, and a larger torus, as OBJ
+/// files.
 fn make_meshes(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut random = Random::stream(0, &["bench"]);
-    let sphere = random::irregular(&grids::sphere(354), 3, &mut |bound| random.below(bound));
+    let [small, large] = [36, 354]
+        .map(|n| random::irregular(&grids::sphere(n), 3, &mut |bound| random.below(bound)));
     let surfaces = [
-        ("sphere-irregular", sphere),
+        ("sphere-small", small),
+        ("sphere-irregular", large),
         ("torus-1m", grids::torus(708, 708)),
         ("torus-4m", grids::torus(1450, 1450)),
     ];
@@ -94,7 +102,10 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
     // Interleaved: a slow minute of the machine then hits everything alike.
     for _ in 0..ROUNDS {
         for algorithm in ALGORITHMS {
-            keep_best(best.entry(algorithm).or_default(), &run("convert", path, algorithm)?);
+            let size = best.get("tq").map_or(0.0, |tq| tq["triangles"]);
+            if algorithm != "ds" || size <= DS_LIMIT {
+                keep_best(best.entry(algorithm).or_default(), &run("convert", path, algorithm)?);
+            }
         }
         for method in METHODS {
             keep_best(best.entry(method).or_default(), &run("irreducible", path, method)?);
@@ -105,13 +116,31 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
             }
         }
     }
-    for algorithm in ALGORITHMS {
+    for algorithm in ALGORITHMS.into_iter().filter(|algorithm| best.contains_key(algorithm)) {
         print_row(path, algorithm, &best[algorithm], lemon.is_some().then_some(yardstick));
+    }
+    if best["tq"]["triangles"] <= PETGRAPH_LIMIT {
+        println!("{:24.24} {:>14} {:>23.3}", "", "petgraph", petgraph_seconds(path)?);
     }
     for method in METHODS {
         print_irreducible(method, &best[method], lemon.is_some().then_some(yardstick));
     }
     Ok(())
+}
+
+/// The seconds that petgraph's maximum matching takes on the dual graph.
+fn petgraph_seconds(path: &Path) -> Result<f64> {
+    let triangulation = Triangulation::build(&mesh::read(path)?)?;
+    let dual = DualGraph::of(&triangulation);
+    let around = |f| dual.neighbours(f).filter(move |&g| f < g).map(move |g| (f, g));
+    let edges =
+        dual.triangles().flat_map(around).map(|(f, g)| (f.index() as u32, g.index() as u32));
+    let graph = petgraph::graph::UnGraph::<(), ()>::from_edges(edges);
+    let start = std::time::Instant::now();
+    let matching = petgraph::algo::maximum_matching(&graph);
+    let seconds = start.elapsed().as_secs_f64();
+    assert!(matching.is_perfect());
+    Ok(seconds)
 }
 
 /// What the tool tells of `verb` on the mesh by `algorithm`.

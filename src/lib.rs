@@ -13,7 +13,8 @@
 //! | [`irreducible`] | contraction until nothing can be contracted: RS, Schipper's, brute force | |
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
 //! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
-//! | [`pairing`] | initial pairings: SG, PS, ours | section 3 |
+//! | [`dynamic`] | link-cut trees, Euler-tour trees, dynamic connectivity | for section 3.2 |
+//! | [`pairing`] | initial pairings: SG, PS, DS, GW, ours | section 3 |
 //! | [`quadrangulation`] | the quads, and a check that trusts nothing | section 2 |
 //! | [`simplify`] | fewer vertices, exactly as many as asked for, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |

@@ -8,26 +8,30 @@
 //! outside T whose cycle with T passes it. The covers certify that there is no bridge, and they say
 //! how to mend T after u and v have been removed:
 //!
-//! 1. T − {u, v} has K components, 1 ≤ K ≤ 4, each with a terminal (w, x, y_r, y_s).
-//! 2. A component with *one* terminal hung on T by that terminal's removed edge. The cover of that edge
-//!    leaves the component, and ends neither in u nor in v (such edges end in terminals): it joins
-//!    T. This is repeated until K = 1, or K = 2 with two terminals each.
-//! 3. K = 1: T spans the graph that is left, and the rule for trees (`super`) chooses. Both new edges
-//!    stay outside T and become the covers of their paths in T.
-//!    K = 2: two new edges from one component to the other; one joins T, the other becomes the cover
-//!    of its path in T, which runs over the first.
+//! 1. T − {u, v} has K components, 1 ≤ K ≤ 4, each with a slot (w, x, y_r, y_s).
+//! 2. A component with *one* slot hung on T by that slot's removed edge. The cover of that edge leaves
+//!    the component, and is not one of the removed edges, which end in slots: it joins T. This is
+//!    repeated until K = 1, or K = 2 with two slots each.
+//! 3. K = 1: T spans H', and the rule for trees chooses. Both new edges stay outside T and become the
+//!    covers of their paths in T.
+//!    K = 2: the candidate with two edges from one component to the other. One joins T, the other
+//!    becomes the cover of its path in T, which runs over the first.
 //!
 //! ```text
-//!       w---(  )---x           K = 2:  w ~~ x      y_r ~~ y_s        ~~ path in T
-//!                                      |             |
-//!       y_r-(  )---y_s                 f'-----------y_r   covers  w ~~ x --c'-- y_s ~~ y_r
+//!   K = 1    w ~~~~~~ y_r                    K = 2    w ~~~~~~ x     one component
+//!                ~                                    |        |
+//!                ~   f' covers w ~ y_r,               f'       c'    c' joins T, and f' covers
+//!                ~   c' covers x ~ y_s                |        |     w ~ x - y_s ~ y_r
+//!            x ~~~~~~ y_s                            y_r ~~~~ y_s    the other one
 //! ```
 //!
-//! No other cover changes. Let k be a tree edge that is on none of those paths; they span all four
-//! terminals, so one side X of T − k has no terminal. What joined T in step 2 or 3 has terminals on
-//! both sides and so does not lie in X; X is connected by old tree edges, none but k leaves it, and
-//! X is a side of the old T − k too. The cover of k left X, ends where it ended, and has not joined T,
-//! or it would leave X as a second tree edge.
+//! In both cases these paths make up the smallest subtree S of the new tree that has all four slots: for
+//! K = 1, each edge of S separates slots, but not, by the rule, one pair from the other. So in S all
+//! covers are new. *No other cover needs to change.* Let k be a tree edge outside S. One side X of T − k
+//! has no slot. What joined T in step 2 or 3 has slots on both sides, so it is not in X, and does not
+//! leave it; X is connected by old tree edges, none but k leaves it, and X is a side of the old T − k
+//! too. The cover of k left X. It is no removed edge, as those end in slots, u or v, and it has not
+//! joined T, or it would leave X as a second tree edge; so it is still there, and leaves X.
 
 use super::graph::{Candidate, Contraction, EdgeId, Multigraph, NodeId, Reduction};
 use super::solve::Decide;

@@ -1,6 +1,92 @@
-//! Perfect matchings by Frink's reductions (Lemos et al., section 3.2 and appendix A): DS and GW.
+//! DS and GW: perfect matchings by Frink's reductions (Lemos et al., section 3.2 and appendix A).
 //!
-//! TEXT
+//! Both are in the spirit of papers whose full text was not at hand: K. Diks and P. Stanczyk (SOFSEM
+//! 2010), and its successor by P. Gawrychowski and M. Wasylkiewicz (ESA 2024). What the abstracts name,
+//! dynamic connectivity with a dynamic tree and a dynamic tree alone, is used here; how, was
+//! reconstructed. It is proved below and in the files of the two deciders, and tested on every
+//! labelled graph of up to eight nodes. Details may differ from the printed papers.
+//!
+//! # The theorem
+//!
+//! *In a connected cubic multigraph without loops and bridges there is, for every edge f, a perfect
+//! matching that avoids f.* (Petersen; the dual graph of a closed surface is such a graph.) Remove two
+//! nodes, find a matching of what is left that avoids what f has become, extend it. With n / 2 steps
+//! there, and n / 2 back, one thing alone is not done in constant time: to choose so that no bridge
+//! arises.
+//!
+//! # One step
+//!
+//! Let f = uw be the excluded edge. If the other edges at u end in different nodes, one of them does
+//! not end in w; it is simple, and called e = uv. Without u and v four *slots* are left, at w, x, y_r and
+//! y_s, which need not be four nodes, and Frink's candidates fill them with two edges:
+//!
+//! ```text
+//!     w         y_r           w -------- y_r           w         y_r
+//!      \f       /r                 f'                    \ f'   /
+//!       u --e-- v         H1:                     H2:      \ /
+//!      /c       \s                                         / \
+//!     x         y_s           x -------- y_s             / c'  \
+//!                                  c'                  x         y_s
+//! ```
+//!
+//! f' is what f has become: the way back has a matching that avoids f'. If it avoids c' too, e is
+//! matched; if c' is matched, the edges that were merged into it, c and s (or r), are. So f and the edge
+//! merged with it stay unmatched, and the last case of the appendix, both new edges matched, which
+//! takes an alternating cycle to mend, does not occur (Biedl, Bose, Demaine, Lubiw, 2001).
+//!
+//! If the other edges at u are parallel, there is no simple edge to take, but also nothing to choose:
+//! the path w-u=v-x is replaced by one edge, and one of the parallel edges is matched.
+//!
+//! ```text
+//!           p                        There is a bridge exactly if there was one before; and x is not
+//!     w -f- u === v -t- x            w, or the third edge at w would be a bridge. The appendix does not
+//!           q              →         mention this case, but it is needed: in a ring of double edges
+//!     w ------- f' ---- x            joined by single ones, f single, it is the only one.
+//! ```
+//!
+//! Edges are never made: f' is called f, c' is called c, and the names of e, r, s retire. A receipt of
+//! three numbers undoes a step for the matching.
+//!
+//! # Why one candidate is always good
+//!
+//! Let H' be the graph without u and v.
+//!
+//! *H' in two components.* Each has two slots: with one slot, that edge would be a bridge, and with none
+//! there would be no way there. The slots of u, w and x, are not together, or e would be a bridge. So
+//! one candidate runs from one component to the other, twice. It is connected, and has no bridge: the
+//! new edges are on a cycle; and a bridge of one component has a slot on either side (or it would have
+//! been a bridge before), which are joined through the other component as well.
+//!
+//! *H' connected.* The new edges are no bridges. An edge k that becomes one was a bridge of H', has slots
+//! on both sides, as before, and is crossed by neither new edge: on each of its sides are the two
+//! slots of one new edge. (A loop, at a node with two slots, is the special case that k is that
+//! node's third edge.) Now take *any* spanning tree T' of H'. All bridges of H' are in it. So a candidate
+//! is good if *no edge of T' separates the slots of one of its edges from those of the other*. And it
+//! cannot be that both candidates fail this test: the four slots hang together in T' as in one of
+//!
+//! ```text
+//!     w       x       w       y_r       w       y_r       w   y_r
+//!      \     /         \     /           \     /           \ /
+//!       o---o           o---o             o---o             o
+//!      /     \         /     \           /     \           / \
+//!    y_r     y_s      x      y_s       y_s      x         x   y_s
+//!
+//!    against H1       against none     against H2      against none
+//! ```
+//!
+//! and tree edges that separate 2 from 2 all do it in the same way. The test may turn a good
+//! candidate down, as the tree edge in question need not be a bridge, but not both; that is enough, and
+//! this is why no structure for bridges is needed.
+//!
+//! # What decides
+//!
+//! | | keeps | H' connected? | spanning tree of H' |
+//! |---|---|---|---|
+//! | `ds` | the graph in [`DynamicConnectivity`](crate::dynamic::DynamicConnectivity), its forest in a [`LinkCutForest`](crate::dynamic::LinkCutForest) | asks | mended by the deletions |
+//! | `gw` | a spanning tree in a [`LinkCutForest`](crate::dynamic::LinkCutForest), each edge with a non-tree edge that covers it | need not know | mended by covers |
+//!
+//! Of up to four moves at f the one that touches fewest tree edges is taken. Nodes are numbered
+//! breadth-first, for the sake of the cache. Nothing is random: a seed would have nothing to do.
 
 mod covers;
 mod ds;
