@@ -214,7 +214,9 @@ impl LinkCutForest {
             }
             (below, at) = (at, above);
         }
-        self.splay(v);
+        if at != v {
+            self.splay(v);
+        }
         at
     }
 
@@ -222,14 +224,25 @@ impl LinkCutForest {
     ///
     /// Pushing just ahead of the steps is enough: what is pending further up reverses both subtrees
     /// and steps alike.
+    #[inline]
     fn splay(&mut self, v: u32) {
-        while let Some(parent) = self.parent_in_path(v) {
+        // Paths are short, and often there is nothing to do.
+        match self.parent_in_path(v) {
+            Some(parent) => self.splay_below(v, parent),
+            None => self.push(v),
+        }
+    }
+
+    /// The same for a node with a `parent` in its splay tree.
+    fn splay_below(&mut self, v: u32, parent: u32) {
+        let mut next = Some(parent);
+        while let Some(parent) = next {
             match self.parent_in_path(parent) {
                 Some(grandparent) => self.double_step(v, parent, grandparent),
-                None => self.step(v, parent),
+                None => return self.step(v, parent),
             }
+            next = self.parent_in_path(v);
         }
-        self.push(v);
     }
 
     /// The parent of `v` in its splay tree.

@@ -79,7 +79,7 @@ impl Decide for DynamicGraph {
         let splits = self.delete([cut.f, cut.c, cut.e, cut.r, cut.s]);
         debug_assert!(splits == 2 || splits == 3, "u, v and the rest in one or two components");
         let candidate = if splits == 2 {
-            tree_rule(&mut self.forest, cut)
+            tree_rule(&mut self.forest, cut, 0)
         } else if self.graph.connected(cut.w.0, cut.y_s.0) {
             Candidate::H1
         } else {

@@ -225,9 +225,21 @@ pub(super) enum Candidate {
     H2,
 }
 
+impl Candidate {
+    /// New edges are between slots whose numbers differ by this, bit by bit; see
+    /// [`Reduction::slots`].
+    pub(super) fn step(self) -> usize {
+        match self {
+            Self::H1 => 2,
+            Self::H2 => 3,
+        }
+    }
+}
+
 impl Reduction {
-    /// The edges that join the pair `u`, `v` to the rest, each with its end there.
-    pub(super) fn attachments(&self) -> [(EdgeId, NodeId); 4] {
+    /// The four slots, w, x, y_r and y_s: edges that join the pair `u`, `v` to the rest, each with its
+    /// end there.
+    pub(super) fn slots(&self) -> [(EdgeId, NodeId); 4] {
         [(self.f, self.w), (self.c, self.x), (self.r, self.y_r), (self.s, self.y_s)]
     }
 

@@ -9,9 +9,11 @@
 //! how to mend T after u and v have been removed:
 //!
 //! 1. T − {u, v} has K components, 1 ≤ K ≤ 4, each with a slot (w, x, y_r, y_s).
-//! 2. A component with *one* slot hung on T by that slot's removed edge. The cover of that edge leaves
-//!    the component, and is not one of the removed edges, which end in slots: it joins T. This is
-//!    repeated until K = 1, or K = 2 with two slots each.
+//! 2. Each removed edge of T from u or v to a slot, if K > 1, separated that slot's component from the
+//!    rest, so its cover leaves the component. If that is none of the removed edges, and its ends
+//!    are not connected by now, it joins T, and K falls by one. It is none of them if the component
+//!    has but one slot, as those edges end in slots. So afterwards K = 1, or K = 2 with two slots
+//!    each.
 //! 3. K = 1: T spans H', and the rule for trees chooses. Both new edges stay outside T and become the
 //!    covers of their paths in T.
 //!    K = 2: the candidate with two edges from one component to the other. One joins T, the other
@@ -28,8 +30,8 @@
 //! In both cases these paths make up the smallest subtree S of the new tree that has all four slots: for
 //! K = 1, each edge of S separates slots, but not, by the rule, one pair from the other. So in S all
 //! covers are new. *No other cover needs to change.* Let k be a tree edge outside S. One side X of T − k
-//! has no slot. What joined T in step 2 or 3 has slots on both sides, so it is not in X, and does not
-//! leave it; X is connected by old tree edges, none but k leaves it, and X is a side of the old T − k
+//! has no slot. What joined T in step 2 or 3 has components, and so slots, on both sides: it is not in X, and
+//! does not leave it; X is connected by old tree edges, none but k leaves it, and X is a side of the old T − k
 //! too. The cover of k left X. It is no removed edge, as those end in slots, u or v, and it has not
 //! joined T, or it would leave X as a second tree edge; so it is still there, and leaves X.
 
@@ -50,16 +52,14 @@ pub(super) struct SpanningTree {
     pub(super) in_tree: IdVec<EdgeId, bool>,
 }
 
-/// How the removed edges hung together with the rest.
-struct Attachments {
-    /// Edges and terminals in the order w, x, y_r, y_s.
-    edges: [(EdgeId, NodeId); 4],
-    /// The component of the rest that each terminal is in, by the number of a terminal in it.
-    component: [usize; 4],
-    /// The covers that those edges had that were in T, if K > 1.
-    cover: [EdgeId; 4],
+/// What T is without u and v. Slots are numbered in the order w, x, y_r, y_s.
+struct Rest {
     /// Number of components, K.
     count: u32,
+    /// If K = 1, a slot whose node is the root.
+    root: usize,
+    /// If K > 1, the covers that the edges to the slots had.
+    cover: [EdgeId; 4],
 }
 
 impl SpanningTree {
@@ -95,10 +95,10 @@ impl SpanningTree {
         self.forest.link_through(a.0, self.node(edge), b.0);
     }
 
-    /// Cuts `terminal` from the tree edge above it, one at the root.
-    fn cut_above(&mut self, terminal: NodeId) {
-        let above = self.forest.cut_above(terminal.0);
-        debug_assert!(above.is_some(), "u or v is the root");
+    /// Cuts a node of the forest from the one above it.
+    fn cut_above(&mut self, node: u32) {
+        let above = self.forest.cut_above(node);
+        debug_assert!(above.is_some(), "{node} is a root");
     }
 
     /// The cover of a tree edge.
@@ -125,89 +125,86 @@ impl SpanningTree {
     }
 
     /// Step 1: removes u and v.
-    fn isolate(&mut self, cut: &Reduction) -> Attachments {
-        let edges = cut.attachments();
-        let count = self.component_count(cut.e, edges.map(|(edge, _)| edge));
-        let was_in_tree = edges.map(|(edge, _)| self.in_tree[edge]);
-        let joined = self.in_tree[cut.e];
+    fn isolate(&mut self, cut: &Reduction) -> Rest {
+        let slots = cut.slots();
+        let hangs = slots.map(|(edge, _)| self.in_tree[edge]);
+        let count = self.component_count(cut.e, slots.map(|(edge, _)| edge));
+        let root = hangs.iter().position(|&hangs| hangs).expect("T spans the graph");
         let mut cover = [EdgeId::NONE; 4];
-        for (i, (edge, terminal)) in edges.into_iter().enumerate() {
-            if i == 0 {
-                self.forest.evert(cut.u.0);
-            } else if i == 2 && !joined {
-                self.forest.evert(cut.v.0);
+        if count == 1 {
+            // Leaves, u and v or both together.
+            self.forest.evert(slots[root].1.0);
+            for i in (0..4).filter(|&i| hangs[i]) {
+                self.cut_above(self.node(slots[i].0));
             }
-            if was_in_tree[i] {
-                self.cut_above(terminal);
-                if count > 1 {
-                    cover[i] = self.cover(edge);
-                }
-            }
+        } else {
+            cover = self.isolate_forks(cut, hangs);
         }
         self.dissolve(cut.u, cut.v, &[cut.e, cut.f, cut.c, cut.r, cut.s]);
-        // With e in T, what hung on u and v by edges of T is apart now.
-        let apart = was_in_tree.map(|was| was && joined);
-        let component = self.components(edges.map(|(_, terminal)| terminal), apart, count);
-        Attachments { edges, component, cover, count }
+        Rest { count, root, cover }
     }
 
-    /// Which terminals are in one component: `count` components there are, and terminals that are
-    /// `apart` are in different ones.
-    fn components(&mut self, terminals: [NodeId; 4], apart: [bool; 4], count: u32) -> [usize; 4] {
-        let mut component = [0; 4];
-        if count == 1 {
-            return component;
+    /// Cuts u and v off where T falls apart without them. Returns the covers of edges that `hang` slots
+    /// on a fork; those of edges to leaves are of no use.
+    fn isolate_forks(&mut self, cut: &Reduction, hangs: [bool; 4]) -> [EdgeId; 4] {
+        let slots = cut.slots();
+        let joined = self.in_tree[cut.e];
+        let forks = [0, 2].map(|i| joined || (hangs[i] && hangs[i + 1]));
+        let mut cover = [EdgeId::NONE; 4];
+        for i in (0..4).filter(|&i| forks[i / 2]) {
+            match i {
+                0 => self.forest.evert(cut.u.0),
+                2 if !joined => self.forest.evert(cut.v.0),
+                _ => {}
+            }
+            if hangs[i] {
+                self.cut_above(slots[i].1.0);
+                cover[i] = self.cover(slots[i].0);
+            }
         }
-        let mut known = [0; 4];
-        let mut found = 0;
-        let order = (0..4).filter(|&i| apart[i]).chain((0..4).filter(|&i| !apart[i]));
-        for i in order {
-            let same = (0..found).find(|&k| {
-                let last_chance = found == count as usize && k + 1 == found;
-                !apart[i] && (last_chance || self.connected(terminals[known[k]], terminals[i]))
-            });
-            component[i] = match same {
-                Some(k) => known[k],
-                None => {
-                    known[found] = i;
-                    found += 1;
-                    i
-                }
-            };
+        let is_leaf_edge = |&i: &usize| hangs[i] && !forks[i / 2];
+        for i in (0..4).filter(is_leaf_edge) {
+            self.cut_above(self.node(slots[i].0));
         }
-        debug_assert_eq!(found as u32, count);
-        component
+        cover
     }
 
-    /// Step 2: joins components with one terminal to others.
-    fn mend(&mut self, graph: &Multigraph, rest: &mut Attachments) {
-        while rest.count > 1
-            && let Some(i) = rest.lone_terminal()
-        {
-            let edge = rest.cover[i];
-            self.link(edge, graph.ends[edge]);
-            let mut others = (0..4).filter(|&j| j != i && rest.component[j] == j);
-            let last = others.next_back().expect("there are two components at least");
-            let terminal = |j: usize| rest.edges[j].1;
-            let joined = others.find(|&j| self.connected(terminal(j), terminal(i)));
-            rest.component[i] = joined.unwrap_or(last);
-            rest.count -= 1;
+    /// Step 2: joins components by covers.
+    fn mend(&mut self, graph: &Multigraph, cut: &Reduction, rest: &mut Rest) {
+        let removed = [EdgeId::NONE, cut.f, cut.c, cut.r, cut.s, cut.e];
+        let mut is_whole = true;
+        for edge in rest.cover.into_iter().filter(|edge| !removed.contains(edge)) {
+            if rest.count == 1 {
+                return;
+            }
+            let [a, b] = graph.ends[edge];
+            if is_whole || !self.connected(a, b) {
+                self.link(edge, [a, b]);
+                rest.count -= 1;
+                is_whole = false;
+            }
         }
     }
 
     /// Step 3 for K = 1.
-    fn choose_by_tree(&mut self, cut: &Reduction) -> Candidate {
-        let candidate = tree_rule(&mut self.forest, cut);
-        let [(_, near_w), (_, near_x)] = cut.joined(candidate);
-        self.forest.assign_above(near_w.0, cut.f.0);
-        self.forest.assign_path(cut.x.0, near_x.0, cut.c.0);
+    fn choose_by_tree(&mut self, cut: &Reduction, root: usize) -> Candidate {
+        let candidate = tree_rule(&mut self.forest, cut, root);
+        let slots = cut.slots().map(|(_, node)| node.0);
+        let step = candidate.step();
+        // The root may be at either end of either new edge; f' is the one at w, slot 0.
+        let at_w = root == 0 || root == step;
+        let [near, far] = if at_w { [cut.f, cut.c] } else { [cut.c, cut.f] };
+        self.forest.assign_above(slots[root ^ step], near.0);
+        self.forest.assign_path(slots[root ^ 1], slots[root ^ 1 ^ step], far.0);
         candidate
     }
 
     /// Step 3 for K = 2. The excluded edge stays outside T, so that later steps find few tree edges.
-    fn choose_across(&mut self, cut: &Reduction, rest: &Attachments) -> Candidate {
-        let [w, _, y_r, _] = rest.component;
-        let candidate = if w != y_r { Candidate::H1 } else { Candidate::H2 };
+    fn choose_across(&mut self, cut: &Reduction) -> Candidate {
+        let candidate = match self.connected(cut.w, cut.y_r) {
+            true => Candidate::H2,
+            false => Candidate::H1,
+        };
         let [(_, near_w), (_, near_x)] = cut.joined(candidate);
         self.link(cut.c, [cut.x, near_x]);
         self.forest.assign_path(cut.w.0, near_w.0, cut.f.0);
@@ -215,18 +212,14 @@ impl SpanningTree {
     }
 }
 
-impl Attachments {
-    /// A terminal that is the only one of its component.
-    fn lone_terminal(&self) -> Option<usize> {
-        (0..4).find(|&i| self.component.iter().filter(|&&j| j == self.component[i]).count() == 1)
-    }
-}
-
 impl Decide for SpanningTree {
     fn decide(&mut self, graph: &Multigraph, cut: &Reduction) -> Candidate {
         let mut rest = self.isolate(cut);
-        self.mend(graph, &mut rest);
-        if rest.count == 1 { self.choose_by_tree(cut) } else { self.choose_across(cut, &rest) }
+        self.mend(graph, cut, &mut rest);
+        match rest.count {
+            1 => self.choose_by_tree(cut, rest.root),
+            _ => self.choose_across(cut),
+        }
     }
 
     /// `f`-`u`=`v`-`t` becomes one edge. Only if the tree passed along it, that is a tree edge.
@@ -236,14 +229,14 @@ impl Decide for SpanningTree {
         let joined = self.in_tree[p] || self.in_tree[q];
         self.forest.evert(u.0);
         let cover = f_in_tree.then(|| {
-            self.cut_above(w);
+            self.cut_above(w.0);
             self.cover(f)
         });
         if !joined {
             self.forest.evert(v.0);
         }
         if t_in_tree {
-            self.cut_above(x);
+            self.cut_above(x.0);
         }
         self.dissolve(u, v, &[f, p, q, t]);
         match cover {

@@ -17,11 +17,14 @@ use crate::dynamic::LinkCutForest;
 ///  x   y_s                                     x   y_s
 /// ```
 ///
-/// Five accesses, O(log n) amortised. `w` is the root afterwards.
-pub(super) fn tree_rule(tree: &mut LinkCutForest, cut: &Reduction) -> Candidate {
-    tree.evert(cut.w.0);
-    let parting = tree.lca(cut.x.0, cut.y_s.0);
-    match tree.lca(parting, cut.y_r.0) == parting {
+/// Any other slot can be the `root`, in the order w, x, y_r, y_s; the candidates look the same from all.
+/// Five accesses, O(log n) amortised. The root is that of the tree afterwards.
+pub(super) fn tree_rule(tree: &mut LinkCutForest, cut: &Reduction, root: usize) -> Candidate {
+    let slots = cut.slots().map(|(_, node)| node.0);
+    let [beside, in_h1, in_h2] = [root ^ 1, root ^ 2, root ^ 3].map(|i| slots[i]);
+    tree.evert(slots[root]);
+    let parting = tree.lca(beside, in_h2);
+    match tree.lca(parting, in_h1) == parting {
         true => Candidate::H1,
         false => Candidate::H2,
     }
