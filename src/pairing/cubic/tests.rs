@@ -1,196 +1,15 @@
 //! Every step against a naive test of the definition, on all small graphs, families and random ones.
 
+mod families;
+mod naive;
+
 use proptest::prelude::*;
 
-use super::graph::{Candidate, Contraction, NodeId, Reduction};
-use super::solve::Decide;
+use super::graph::NodeId;
 use super::*;
 use crate::random::Random;
-
-type Edges = Vec<(u32, u32)>;
-
-// The naive test.
-
-/// A low-point search (Tarjan): whether `nodes` nodes can be reached from `root`, without passing a
-/// loop or a bridge.
-fn is_legal(graph: &Multigraph, root: NodeId, nodes: usize) -> bool {
-    struct Search<'g> {
-        graph: &'g Multigraph,
-        reached: IdVec<NodeId, u32>,
-        count: u32,
-    }
-    impl Search<'_> {
-        /// The lowest number of a node that the subtree of `v` has an edge to, if all is well there.
-        fn low_point(&mut self, v: NodeId, via: EdgeId) -> Option<u32> {
-            self.count += 1;
-            let number = self.count;
-            self.reached[v] = number;
-            let mut low = number;
-            for edge in self.graph.around[v].into_iter().filter(|&edge| edge != via) {
-                let [a, b] = self.graph.ends[edge];
-                if a == b || (v != a && v != b) {
-                    return None;
-                }
-                let g = self.graph.far_end(edge, v);
-                let below = match self.reached[g] {
-                    0 => self.low_point(g, edge).filter(|&below| below <= number)?,
-                    seen => seen,
-                };
-                low = low.min(below);
-            }
-            Some(low)
-        }
-    }
-    let reached = IdVec::filled(0, graph.around.len());
-    let mut search = Search { graph, reached, count: 0 };
-    search.low_point(root, EdgeId::NONE) == Some(1) && search.count as usize == nodes
-}
-
-/// Decides by trying.
-struct Naive {
-    left: usize,
-}
-
-impl Decide for Naive {
-    fn decide(&mut self, graph: &Multigraph, cut: &Reduction) -> Candidate {
-        self.left -= 2;
-        let is_good = |&candidate: &Candidate| {
-            let mut next = graph.clone();
-            let _ = next.reduce(cut, candidate);
-            is_legal(&next, cut.w, self.left)
-        };
-        [Candidate::H1, Candidate::H2].into_iter().find(is_good).expect("Frink's theorem")
-    }
-
-    fn contract(&mut self, _: &Multigraph, _: &Contraction) {
-        self.left -= 2;
-    }
-
-    fn cost(&self, _: EdgeId, _: [EdgeId; 4]) -> u32 {
-        0
-    }
-}
-
-/// What a decider claims to know.
-trait Audit: Decide {
-    /// Compares it with a graph of `nodes` nodes, one of which is `root`.
-    fn audit(&mut self, graph: &Multigraph, root: NodeId, nodes: usize);
-}
-
-impl Audit for Naive {
-    fn audit(&mut self, _: &Multigraph, _: NodeId, _: usize) {}
-}
-
-/// The nodes that can be reached from `root` by edges that `passable` lets through.
-fn reach(graph: &Multigraph, root: NodeId, passable: impl Fn(EdgeId) -> bool) -> Vec<NodeId> {
-    let mut reached = vec![root];
-    let mut next = 0;
-    while next < reached.len() {
-        for edge in graph.around[reached[next]].into_iter().filter(|&edge| passable(edge)) {
-            let g = graph.far_end(edge, reached[next]);
-            if !reached.contains(&g) {
-                reached.push(g);
-            }
-        }
-        next += 1;
-    }
-    reached
-}
-
-fn edges_at(graph: &Multigraph, nodes: &[NodeId]) -> Vec<EdgeId> {
-    let mut edges: Vec<_> = nodes.iter().flat_map(|&v| graph.around[v]).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
-}
-
-impl Audit for SpanningTree {
-    /// The tree spans the graph, the forest is that tree, and every cover crosses its cut.
-    fn audit(&mut self, graph: &Multigraph, root: NodeId, nodes: usize) {
-        let live = reach(graph, root, |_| true);
-        let edges = edges_at(graph, &live);
-        let tree: Vec<_> = edges.iter().copied().filter(|&edge| self.in_tree[edge]).collect();
-        assert_eq!(self.in_tree.ids().filter(|&edge| self.in_tree[edge]).count(), nodes - 1);
-        assert_eq!((live.len(), tree.len()), (nodes, nodes - 1));
-        let below = reach(graph, root, |edge| self.in_tree[edge]);
-        assert_eq!(below.len(), nodes, "the tree spans the graph");
-        for &edge in &tree {
-            let [a, b] = graph.ends[edge];
-            let node = self.node(edge);
-            self.forest.evert(a.0);
-            assert_eq!((self.forest.lca(b.0, node), self.forest.lca(a.0, node)), (node, a.0));
-            let cover = EdgeId(self.forest.value(node));
-            assert!(edges.contains(&cover) && !self.in_tree[cover], "{cover:?} covers {edge:?}");
-            let side = reach(graph, a, |other| self.in_tree[other] && other != edge);
-            let ends = graph.ends[cover].map(|v| side.contains(&v));
-            assert_ne!(ends[0], ends[1], "{cover:?} covers {edge:?}");
-        }
-    }
-}
-
-impl Audit for DynamicGraph {
-    /// It has the edges of the graph, and its forest is a spanning tree, in both structures.
-    fn audit(&mut self, graph: &Multigraph, root: NodeId, nodes: usize) {
-        let live = reach(graph, root, |_| true);
-        let edges = edges_at(graph, &live);
-        for edge in graph.ends.ids() {
-            assert_eq!(self.graph.contains(edge.0), edges.contains(&edge));
-        }
-        for &edge in &edges {
-            let [mut ours, mut known] = [graph.ends[edge].map(|v| v.0), self.graph.ends(edge.0)];
-            ours.sort_unstable();
-            known.sort_unstable();
-            assert_eq!(ours, known);
-        }
-        let in_tree = |edge: EdgeId| self.graph.is_tree_edge(edge.0);
-        assert_eq!(edges.iter().filter(|&&edge| in_tree(edge)).count(), nodes - 1);
-        assert_eq!(reach(graph, root, in_tree).len(), nodes);
-        for &edge in edges.iter().filter(|&&edge| self.graph.is_tree_edge(edge.0)) {
-            let [a, b] = graph.ends[edge].map(|v| v.0);
-            self.forest.cut(a, b);
-            self.forest.link(a, b);
-        }
-    }
-}
-
-/// Checks the graph after every step, and on request what the decider knows of it.
-struct Checked<D> {
-    decider: D,
-    left: usize,
-    audited: bool,
-}
-
-impl<D: Audit> Checked<D> {
-    fn check(&mut self, graph: &Multigraph, root: NodeId) {
-        assert!(is_legal(graph, root, self.left), "after {} nodes", self.left);
-        if self.audited {
-            self.decider.audit(graph, root, self.left);
-        }
-    }
-}
-
-impl<D: Audit> Decide for Checked<D> {
-    fn decide(&mut self, graph: &Multigraph, cut: &Reduction) -> Candidate {
-        let candidate = self.decider.decide(graph, cut);
-        self.left -= 2;
-        let mut next = graph.clone();
-        let _ = next.reduce(cut, candidate);
-        self.check(&next, cut.w);
-        candidate
-    }
-
-    fn contract(&mut self, graph: &Multigraph, double: &Contraction) {
-        self.decider.contract(graph, double);
-        self.left -= 2;
-        let mut next = graph.clone();
-        let _ = next.contract(double);
-        self.check(&next, double.w);
-    }
-
-    fn cost(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32 {
-        self.decider.cost(e, beside)
-    }
-}
+use families::*;
+use naive::{Audit, Checked, Naive};
 
 /// How much of each step is checked.
 #[derive(Clone, Copy, PartialEq)]
@@ -271,30 +90,6 @@ fn assert_all(edges: &Edges, excluded: impl IntoIterator<Item = usize>, depth: D
 }
 
 // All small graphs.
-
-/// Calls `found` with every labelled cubic multigraph without loops of `nodes` nodes, once.
-fn every_graph(nodes: u32, found: &mut impl FnMut(&Edges)) {
-    fn extend(edges: &mut Edges, degree: &mut [u8], found: &mut impl FnMut(&Edges)) {
-        let Some(a) = degree.iter().position(|&d| d < 3) else { return found(edges) };
-        // The edges of each node in the order of their other ends.
-        let from = match edges.last() {
-            Some(&(last, b)) if last as usize == a => b as usize,
-            _ => a + 1,
-        };
-        for b in from..degree.len() {
-            if degree[b] < 3 {
-                degree[a] += 1;
-                degree[b] += 1;
-                edges.push((a as u32, b as u32));
-                extend(edges, degree, found);
-                edges.pop();
-                degree[a] -= 1;
-                degree[b] -= 1;
-            }
-        }
-    }
-    extend(&mut Edges::new(), &mut vec![0; nodes as usize], found);
-}
 
 /// Whether all nodes hang together without the edge `removed`, by union of sets.
 fn holds_together(nodes: usize, edges: &Edges, removed: Option<usize>) -> bool {
@@ -377,73 +172,6 @@ fn all_graphs_of_eight_nodes_are_solved_without_every_edge() {
 
 // Families.
 
-/// Two rings of `k` nodes with rungs, or one of 2k with `twisted`.
-fn ladder(k: u32, twisted: bool) -> Edges {
-    let rails = (0..k - 1).flat_map(|i| [(i, i + 1), (k + i, k + i + 1)]);
-    let ends = if twisted { [(k - 1, k), (2 * k - 1, 0)] } else { [(k - 1, 0), (2 * k - 1, k)] };
-    rails.chain(ends).chain((0..k).map(|i| (i, k + i))).collect()
-}
-
-/// The generalised Petersen graph G(k, step).
-fn petersen(k: u32, step: u32) -> Edges {
-    (0..k).flat_map(|i| [(i, (i + 1) % k), (i, k + i), (k + i, k + (i + step) % k)]).collect()
-}
-
-/// A ring of `k` double edges joined by single ones.
-fn necklace(k: u32) -> Edges {
-    let bead =
-        |i: u32| [(2 * i, 2 * i + 1), (2 * i, 2 * i + 1), (2 * i + 1, (2 * i + 2) % (2 * k))];
-    (0..k).flat_map(bead).collect()
-}
-
-/// A ring of graphs, each opened at its last edge: cuts of two edges everywhere.
-fn ring(links: &[Edges]) -> Edges {
-    let (mut edges, mut open) = (Edges::new(), Edges::new());
-    let mut first = 0;
-    for link in links {
-        let shifted = link.iter().map(|&(a, b)| (a + first, b + first));
-        edges.extend(shifted);
-        open.extend(edges.pop());
-        first += link.len() as u32 * 2 / 3;
-    }
-    let next = open.iter().cycle().skip(1);
-    edges.extend(open.iter().zip(next).map(|(&(_, b), &(a, _))| (b, a)));
-    edges
-}
-
-/// Puts graphs into graphs: cuts of two edges, nested.
-fn nest(depth: u32) -> Edges {
-    let mut edges = ladder(3, true);
-    for i in 0..depth {
-        edges = ring(&[edges, if i % 2 == 0 { petersen(4, 1) } else { necklace(2) }]);
-        edges.rotate_left(5);
-    }
-    edges
-}
-
-fn families() -> Vec<(&'static str, Edges)> {
-    vec![
-        ("triple edge", vec![(0, 1); 3]),
-        ("K4", ladder(2, true).into_iter().collect()),
-        ("K3,3", ladder(3, true)),
-        ("prism", ladder(3, false)),
-        ("cube", ladder(4, false)),
-        ("Möbius ladder", ladder(17, true)),
-        ("long prism", ladder(40, false)),
-        ("Petersen", petersen(5, 2)),
-        ("Desargues", petersen(10, 3)),
-        ("generalised Petersen", petersen(23, 4)),
-        ("necklaces of one and two", ring(&[necklace(2), necklace(2)])),
-        ("necklace", necklace(20)),
-        (
-            "ring of K3,3 and beads",
-            ring(&[ladder(3, true), necklace(2), ladder(3, true), necklace(3)]),
-        ),
-        ("ring of many", ring(&vec![ladder(2, true); 12])),
-        ("nest", nest(9)),
-    ]
-}
-
 #[test]
 fn families_are_solved() {
     for (name, edges) in families() {
@@ -462,19 +190,6 @@ fn large_families_are_solved() {
 }
 
 // Random graphs.
-
-/// A random cubic multigraph without loops, not always connected: stubs are paired up in random
-/// order until there is no loop.
-fn random_graph(nodes: u32, random: &mut Random) -> Edges {
-    let mut stubs: Vec<u32> = (0..3 * nodes).map(|i| i / 3).collect();
-    loop {
-        random.shuffle(&mut stubs);
-        let edges: Edges = stubs.chunks(2).map(|pair| (pair[0], pair[1])).collect();
-        if edges.iter().all(|(a, b)| a != b) {
-            return edges;
-        }
-    }
-}
 
 #[test]
 fn random_graphs_are_solved_or_refused() {
@@ -504,22 +219,6 @@ fn large_random_graphs_are_solved() {
     }
 }
 
-/// Builds a graph from a triple edge: each step puts a new node on each of two edges, which may be the
-/// same, and joins them. No bridge can come of that.
-fn grown(steps: &[(u32, u32)]) -> Edges {
-    let mut edges = vec![(0, 1); 3];
-    for &(first, second) in steps {
-        let node = edges.len() as u32 * 2 / 3;
-        for (i, new) in [(first, node), (second, node + 1)] {
-            let edge = i as usize % edges.len();
-            let b = std::mem::replace(&mut edges[edge].1, new);
-            edges.push((new, b));
-        }
-        edges.push((node, node + 1));
-    }
-    edges
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(600))]
 
@@ -534,15 +233,6 @@ proptest! {
 }
 
 // Refusals.
-
-/// Two K4, each with a node put on one edge, and those two joined: the smallest sort of bridge.
-fn dumbbell() -> Edges {
-    let half = |first: u32| {
-        [(0, 1), (0, 2), (1, 2), (1, 3), (2, 3), (0, 4), (3, 4)]
-            .map(|(a, b)| (a + first, b + first))
-    };
-    half(0).into_iter().chain(half(5)).chain([(4, 9)]).collect()
-}
 
 #[test]
 fn illegal_graphs_are_refused() {
