@@ -4,10 +4,13 @@ mod families;
 mod naive;
 
 use proptest::prelude::*;
+use triquad_generators::random::{Mix, random_surface};
 
 use super::graph::NodeId;
 use super::*;
+use crate::mesh::FaceList;
 use crate::random::Random;
+use crate::triangulation::Triangulation;
 use families::*;
 use naive::{Audit, Checked, Naive};
 
@@ -229,6 +232,22 @@ proptest! {
     ) {
         let edges = grown(&steps);
         assert_all(&edges, [excluded as usize % edges.len()], Depth::Everything);
+    }
+}
+
+#[test]
+fn duals_of_random_surfaces_are_solved() {
+    for seed in 0..240 {
+        let random = &mut Random::stream(seed, &["surface"]);
+        let (genus, mix) = ([0, 0, 1, 3][seed as usize % 4], Mix::ALL[seed as usize / 4 % 4]);
+        let operations = if seed % 40 == 39 { 3000 } else { random.below(24) as usize };
+        let surface = random_surface(genus, operations, mix, &mut |bound| random.below(bound));
+        let list = FaceList::from_triangles(surface.positions, surface.triangles);
+        let dual = DualGraph::of(&Triangulation::build(&list).unwrap());
+        let around = |f| dual.neighbours(f).filter(move |&g| f < g).map(move |g| (f.0, g.0));
+        let edges: Edges = dual.triangles().flat_map(around).collect();
+        let depth = if operations < 100 { Depth::Everything } else { Depth::Result };
+        assert_all(&edges, [random.below(edges.len() as u32) as usize], depth);
     }
 }
 
