@@ -28,7 +28,7 @@ check: toolchain
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --no-deps --quiet
 
 test: check
-	$(CARGO) test --workspace
+	$(CARGO) test --workspace -- --include-ignored
 
 bench: toolchain
 	$(CARGO) bench --bench speed

@@ -8,7 +8,7 @@
 //!
 //! | module | what | source |
 //! |---|---|---|
-//! | [`mesh`] | files: OBJ, PLY, OFF, STL → [`FaceList`](mesh::FaceList), unchecked | |
+//! | [`mesh`] | files: OBJ, PLY, OFF, STL → [`FaceList`](mesh::FaceList), unchecked (feature `files`) | |
 //! | [`triangulation`] | half-edges, and the laws that make a face list a triangulation | section 2 |
 //! | [`irreducible`] | contraction until nothing can be contracted: RS, Schipper's, brute force | |
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
@@ -24,6 +24,7 @@
 //! A module uses only what stands above it. One type per stage is the proof that the stage before
 //! was done: `FaceList → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.
 
+#[cfg(feature = "files")]
 pub mod atomic_file;
 pub mod augmentation;
 pub mod clock;

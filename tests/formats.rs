@@ -1,5 +1,6 @@
 //! Mesh files: what is written reads back to the last bit, what others write is understood, texture
 //! coordinates and groups survive, and no content makes a reader panic.
+#![cfg(feature = "files")]
 
 #[allow(dead_code)]
 mod common;

@@ -2,6 +2,7 @@
 //!
 //! The meshes are not part of the project: they are looked for in the folder that the environment
 //! variable `TRIQUAD_MESHES` names, or in `../shared/meshes`, and without them the tests pass.
+#![cfg(feature = "files")]
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

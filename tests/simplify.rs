@@ -1,5 +1,6 @@
 //! Simplification against brute force: exact counts, the same surface, and giving up only when no
 //! edge can be contracted at all.
+#![cfg(feature = "files")]
 
 #[allow(dead_code)]
 mod common;

@@ -1,132 +1,32 @@
-//! Mesh files: OBJ, PLY, OFF and STL in, OBJ, PLY and OFF out, each also gzipped.
+//! Mesh files: OBJ, PLY, OFF and STL in, OBJ, PLY and OFF out, each also gzipped (feature `files`).
 //!
 //! Readers keep the order of vertices and faces, unreferenced vertices and every f64 value; writers
 //! print values that read back to the same f64. Nothing about the mesh is judged here.
 
-mod error;
 mod face_list;
+
+#[cfg(feature = "files")]
+mod error;
+#[cfg(feature = "files")]
+mod files;
+#[cfg(feature = "files")]
 mod obj;
+#[cfg(feature = "files")]
 mod off;
+#[cfg(feature = "files")]
 mod output;
+#[cfg(feature = "files")]
 mod ply;
+#[cfg(feature = "files")]
 mod stl;
+#[cfg(feature = "files")]
 mod tokens;
 
-use std::fs::File;
-use std::io::{self, BufReader, Read};
-use std::path::Path;
-
-use flate2::read::MultiGzDecoder;
-
-pub use error::{MeshError, Place};
 pub use face_list::{Attributes, FaceList, Faces, Lines, MAX_CORNERS, NO_INDEX, Section};
+
+#[cfg(feature = "files")]
+pub use error::{MeshError, Place};
+#[cfg(feature = "files")]
+pub use files::{Format, parse, read, read_from};
+#[cfg(feature = "files")]
 pub use output::{Output, write_as};
-
-/// A mesh file format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Wavefront OBJ.
-    Obj,
-    /// Stanford PLY.
-    Ply,
-    /// Object File Format.
-    Off,
-    /// Stereolithography; read only, welded on equal coordinates.
-    Stl,
-}
-
-impl Format {
-    /// The format by the extension of `path`, before `.gz` if it has that; `-` means OBJ.
-    ///
-    /// # Errors
-    /// [`MeshError::UnknownFormat`] names the extension.
-    pub fn of(path: &Path) -> Result<Self, MeshError> {
-        if path.as_os_str() == "-" {
-            return Ok(Self::Obj);
-        }
-        let name = if is_gzip(path) { path.file_stem().map(Path::new) } else { Some(path) };
-        let extension = name.and_then(Path::extension).unwrap_or_default().to_string_lossy();
-        match extension.to_ascii_lowercase().as_str() {
-            "obj" => Ok(Self::Obj),
-            "ply" => Ok(Self::Ply),
-            "off" => Ok(Self::Off),
-            "stl" => Ok(Self::Stl),
-            _ => Err(MeshError::UnknownFormat(path.display().to_string())),
-        }
-    }
-}
-
-fn is_gzip(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gz"))
-}
-
-/// Reads a mesh file; `-` is standard input (OBJ). Gzipped content is recognised by its first bytes.
-///
-/// # Errors
-/// What is wrong, and where in the file.
-pub fn read(path: &Path) -> Result<FaceList, MeshError> {
-    let format = Format::of(path)?;
-    if path.as_os_str() == "-" {
-        return read_from(&mut io::stdin().lock(), format);
-    }
-    if path.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder").into());
-    }
-    read_from(&mut File::open(path)?, format)
-}
-
-/// Reads a mesh from what `input` gives, plain or gzipped.
-///
-/// # Errors
-/// What is wrong, and where in the text.
-pub fn read_from(input: &mut dyn Read, format: Format) -> Result<FaceList, MeshError> {
-    let mut start = Vec::new();
-    input.take(GZIP.len() as u64).read_to_end(&mut start)?;
-    let mut whole = start.as_slice().chain(input);
-    if start == GZIP {
-        // Room for the decoder to work on, or it would read byte by byte.
-        let mut decoder = MultiGzDecoder::new(BufReader::with_capacity(1 << 16, whole));
-        parse_from(&mut decoder, format).map_err(gzip_error)
-    } else {
-        parse_from(&mut whole, format)
-    }
-}
-
-/// The bytes that every gzip file starts with.
-const GZIP: [u8; 2] = [0x1f, 0x8b];
-
-fn gzip_error(error: MeshError) -> MeshError {
-    match error {
-        MeshError::Io(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
-            MeshError::Truncated {
-                place: Place::End,
-                missing: "the rest of the gzip stream".into(),
-            }
-        }
-        MeshError::Io(error) => {
-            MeshError::malformed(Place::End, format!("damaged gzip stream: {error}"))
-        }
-        error => error,
-    }
-}
-
-fn parse_from(input: &mut dyn Read, format: Format) -> Result<FaceList, MeshError> {
-    if format == Format::Obj {
-        return obj::read(input);
-    }
-    let mut bytes = Vec::new();
-    input.read_to_end(&mut bytes)?;
-    match format {
-        Format::Ply => ply::read(&bytes),
-        Format::Off => off::read(&bytes),
-        _ => stl::read(&bytes),
-    }
-}
-
-/// Reads a mesh from the content of a file, plain or gzipped.
-///
-/// # Errors
-/// What is wrong, and where in `bytes`.
-pub fn parse(bytes: &[u8], format: Format) -> Result<FaceList, MeshError> {
-    read_from(&mut &bytes[..], format)
-}

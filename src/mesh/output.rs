@@ -5,7 +5,8 @@ use std::path::Path;
 
 use flate2::{Compression, GzBuilder};
 
-use super::{FaceList, Format, MeshError, is_gzip, obj, off, ply};
+use super::files::is_gzip;
+use super::{FaceList, Format, MeshError, obj, off, ply};
 use crate::atomic_file::AtomicFile;
 
 /// A mesh file to be written; made before the work starts, so that the work is not in vain.
