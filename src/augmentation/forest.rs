@@ -9,6 +9,7 @@
 //! Blossoms nest. Paths are read off with an explicit stack, not by recursion.
 
 use crate::dual::{DualGraph, Matching};
+use crate::prefetch::prefetch;
 use crate::triangulation::{Id, TriangleId};
 
 /// How a triangle lies in the forest.
@@ -84,6 +85,10 @@ impl List {
             self.tail = END;
         }
         Some(f)
+    }
+
+    fn first(&self) -> Option<u32> {
+        (self.head != END).then_some(self.head)
     }
 
     /// Moves all of `other` behind this list.
@@ -203,6 +208,16 @@ impl Forest {
     #[inline]
     pub(super) fn next_to_scan(&mut self, tree: TreeId) -> Option<TriangleId> {
         self.trees[tree.0 as usize].queue.pop(&self.nodes).map(TriangleId)
+    }
+
+    /// Has the cache fetch what scanning the next triangle of `tree` will look at.
+    #[inline]
+    pub(super) fn prefetch_next(&self, graph: &DualGraph, matching: &Matching, tree: TreeId) {
+        let Some(next) = self.trees[tree.0 as usize].queue.first() else { return };
+        for w in graph.sides(TriangleId(next)) {
+            prefetch(&self.nodes, w.index());
+            matching.prefetch(w);
+        }
     }
 
     /// Puts the scanned triangle `f` of `tree` aside until [`Forest::retry_barred`].

@@ -141,6 +141,7 @@ impl Search<'_> {
         v: TriangleId,
     ) -> Option<(TriangleId, TreeId)> {
         let forest = &mut self.forest;
+        forest.prefetch_next(self.graph, matching, tree);
         let mut barred = false;
         for (side, w) in self.graph.sides(v).into_iter().enumerate() {
             if w == TriangleId::NONE || w == matching.mate_or_none(v) {
@@ -151,6 +152,7 @@ impl Search<'_> {
                 Place::Free => {
                     let mate = matching.mate_or_none(w);
                     debug_assert_ne!(mate, TriangleId::NONE, "every unpaired triangle is a root");
+                    self.graph.prefetch(mate);
                     forest.grow(tree, v, w, mate);
                 }
                 Place::Outer(other) if other != tree => return Some((w, other)),

@@ -133,6 +133,12 @@ impl DualGraph {
         self.rows.get(f.index()).map(|row| row.note)
     }
 
+    /// Has the cache fetch the sides of `f`.
+    #[inline]
+    pub(crate) fn prefetch(&self, f: TriangleId) {
+        prefetch(&self.rows, f.index());
+    }
+
     /// Has the cache fetch the sides and notes of the neighbours of `f`.
     #[inline]
     pub(crate) fn prefetch_around(&self, f: TriangleId) {

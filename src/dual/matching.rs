@@ -1,6 +1,7 @@
 //! Matchings: which triangle is paired with which.
 
 use super::DualGraph;
+use crate::prefetch::prefetch;
 use crate::triangulation::{Id, IdVec, TriangleId};
 
 /// A matching in a dual graph: disjoint pairs of edge-adjacent triangles. 4 bytes a triangle.
@@ -26,6 +27,12 @@ impl Matching {
     #[inline]
     pub(crate) fn mate_or_none(&self, f: TriangleId) -> TriangleId {
         self.mate[f]
+    }
+
+    /// Has the cache fetch the mate of `f`.
+    #[inline]
+    pub(crate) fn prefetch(&self, f: TriangleId) {
+        prefetch(self.mate.as_slice(), f.index());
     }
 
     /// Whether `f` is paired.
