@@ -174,11 +174,13 @@ impl Faces {
     }
 
     /// Appends one corner to the face that the next [`Faces::close_face`] will end.
+    #[inline]
     pub fn push_corner(&mut self, vertex: u32) {
         self.corners.push(vertex);
     }
 
     /// Makes a face of the last `arity` corners pushed.
+    #[inline]
     pub fn close_face(&mut self, arity: usize) {
         match &mut self.shape {
             Shape::Uniform(common) if *common == arity && arity > 0 => {}

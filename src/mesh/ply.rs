@@ -3,13 +3,15 @@
 //! The header describes the records that follow it; of these the coordinates of `vertex` and the
 //! corner lists of `face` are kept, and everything else is skipped and named.
 
+mod binary;
 mod header;
 
 use std::io::{self, Write};
 
+use binary::Binary;
 use header::{Element, Encoding, Header, Kind, Scalar};
 
-use super::error::{MeshError, Place};
+use super::error::MeshError;
 use super::face_list::{FaceList, Faces, MAX_CORNERS};
 use super::tokens::{self, Tokens};
 
@@ -20,8 +22,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
     let position = tokens.position();
     match header.encoding {
         Encoding::Ascii => read_elements(&header, &mut tokens),
-        Encoding::Little => read_elements(&header, &mut Binary::<false> { bytes, position }),
-        Encoding::Big => read_elements(&header, &mut Binary::<true> { bytes, position }),
+        Encoding::Little => read_elements(&header, &mut Binary::<false>::new(bytes, position)),
+        Encoding::Big => read_elements(&header, &mut Binary::<true>::new(bytes, position)),
     }
 }
 
@@ -38,6 +40,17 @@ trait Source {
 
     /// Everything that was not read yet.
     fn rest(&self) -> &[u8];
+
+    /// Reads vertices by the record instead of by the value, where their layout allows that, and
+    /// says how many: up to the first that there is something wrong with.
+    fn whole_vertices(&mut self, _: &Element, _: &mut Vec<[f64; 3]>) -> usize {
+        0
+    }
+
+    /// Reads faces as [`Source::whole_vertices`] reads vertices.
+    fn whole_faces(&mut self, _: &Element, _: &mut Faces) -> usize {
+        0
+    }
 
     /// Passes over one value of a record.
     fn skip_property(&mut self, kind: Kind) -> Result<(), MeshError> {
@@ -72,66 +85,6 @@ impl Source for Tokens<'_> {
     }
 }
 
-struct Binary<'a, const BIG_ENDIAN: bool> {
-    bytes: &'a [u8],
-    position: usize,
-}
-
-impl<const BIG_ENDIAN: bool> Binary<'_, BIG_ENDIAN> {
-    /// The next `N` bytes, the least significant first.
-    #[inline]
-    fn take<const N: usize>(&mut self) -> Result<[u8; N], MeshError> {
-        let rest = &self.bytes[self.position..];
-        let mut value = *rest.first_chunk().ok_or_else(|| tokens::truncated("a value"))?;
-        self.position += N;
-        if BIG_ENDIAN {
-            value.reverse();
-        }
-        Ok(value)
-    }
-
-    /// The next value; 64-bit floating point numbers hold all of them exactly.
-    #[inline]
-    fn value(&mut self, kind: Scalar) -> Result<f64, MeshError> {
-        Ok(match kind {
-            Scalar::I8 => i8::from_le_bytes(self.take()?).into(),
-            Scalar::U8 => u8::from_le_bytes(self.take()?).into(),
-            Scalar::I16 => i16::from_le_bytes(self.take()?).into(),
-            Scalar::U16 => u16::from_le_bytes(self.take()?).into(),
-            Scalar::I32 => i32::from_le_bytes(self.take()?).into(),
-            Scalar::U32 => u32::from_le_bytes(self.take()?).into(),
-            Scalar::F32 => f32::from_le_bytes(self.take()?).into(),
-            Scalar::F64 => f64::from_le_bytes(self.take()?),
-        })
-    }
-}
-
-impl<const BIG_ENDIAN: bool> Source for Binary<'_, BIG_ENDIAN> {
-    #[inline]
-    fn coordinate(&mut self, kind: Scalar) -> Result<f64, MeshError> {
-        self.value(kind)
-    }
-
-    #[inline]
-    fn index(&mut self, kind: Scalar, expected: &str) -> Result<u32, MeshError> {
-        let place = Place::Byte(self.position);
-        let value = self.value(kind)?;
-        exact_index(value)
-            .ok_or_else(|| MeshError::malformed(place, format!("{value} is not {expected}")))
-    }
-
-    fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError> {
-        let end = times.checked_mul(kind.size()).and_then(|size| self.position.checked_add(size));
-        let end = end.filter(|&end| end <= self.bytes.len());
-        self.position = end.ok_or_else(|| tokens::truncated("a value"))?;
-        Ok(())
-    }
-
-    fn rest(&self) -> &[u8] {
-        &self.bytes[self.position..]
-    }
-}
-
 /// The integer that `value` is, if it is one and fits.
 #[inline]
 fn exact_index(value: f64) -> Option<u32> {
@@ -160,7 +113,8 @@ fn read_vertices(element: &Element, source: &mut impl Source) -> Result<Vec<[f64
         element.properties.iter().map(|property| (element.axis(property), property.kind)).collect();
     // A vertex takes three bytes at least, whatever the header says.
     let mut positions = Vec::with_capacity(element.count.min(source.rest().len() / 3));
-    for_each_record(element, || {
+    let done = source.whole_vertices(element, &mut positions);
+    for_each_record(element, done, || {
         let mut position = [0.0; 3];
         for &(axis, kind) in &plan {
             match (axis, kind) {
@@ -183,7 +137,8 @@ fn read_faces(element: &Element, source: &mut impl Source) -> Result<Faces, Mesh
     // A corner takes a byte at least.
     let corners = element.count.saturating_mul(3).min(source.rest().len());
     let mut faces = Faces::with_capacity(corners);
-    for_each_record(element, || {
+    let done = source.whole_faces(element, &mut faces);
+    for_each_record(element, done, || {
         for &(is_corners, kind) in &plan {
             match kind {
                 Kind::List { count, item } if is_corners => {
@@ -219,17 +174,18 @@ fn skip_element(element: &Element, source: &mut impl Source) -> Result<(), MeshE
     if element.properties.is_empty() {
         return Ok(()); // However many there are, they take no room.
     }
-    for_each_record(element, || {
+    for_each_record(element, 0, || {
         element.properties.iter().try_for_each(|property| source.skip_property(property.kind))
     })
 }
 
-/// Calls `read` for every record of `element`; says in which one the file ends.
+/// Calls `read` for every record of `element` but the first `done`; says in which one the file ends.
 fn for_each_record(
     element: &Element,
+    done: usize,
     mut read: impl FnMut() -> Result<(), MeshError>,
 ) -> Result<(), MeshError> {
-    for record in 0..element.count {
+    for record in done..element.count {
         read().map_err(|error| match error {
             MeshError::Truncated { .. } => {
                 let Element { name, count, .. } = element;
@@ -402,6 +358,86 @@ mod tests {
                     let mut changed = bytes.clone();
                     changed[position] = value;
                     let _ = read(&changed);
+                }
+            }
+        }
+    }
+
+    /// A source that reads value by value only.
+    struct ByTheValue<S>(S);
+
+    impl<S: Source> Source for ByTheValue<S> {
+        fn coordinate(&mut self, kind: Scalar) -> Result<f64, MeshError> {
+            self.0.coordinate(kind)
+        }
+
+        fn index(&mut self, kind: Scalar, expected: &str) -> Result<u32, MeshError> {
+            self.0.index(kind, expected)
+        }
+
+        fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError> {
+            self.0.skip(kind, times)
+        }
+
+        fn rest(&self) -> &[u8] {
+            self.0.rest()
+        }
+    }
+
+    fn read_by_the_value(bytes: &[u8]) -> Result<FaceList, MeshError> {
+        let mut tokens = Tokens::new(bytes);
+        let header = Header::read(&mut tokens)?;
+        let at = tokens.position();
+        match header.encoding {
+            Encoding::Ascii => read_elements(&header, &mut ByTheValue(tokens)),
+            Encoding::Little => {
+                read_elements(&header, &mut ByTheValue(Binary::<false>::new(bytes, at)))
+            }
+            Encoding::Big => {
+                read_elements(&header, &mut ByTheValue(Binary::<true>::new(bytes, at)))
+            }
+        }
+    }
+
+    /// Whole files, all beginnings of them, and files with a changed byte.
+    #[test]
+    fn whole_records_are_what_their_values_are() {
+        for (real, item) in [("f32", "i32"), ("f64", "u32")] {
+            let vertex = format!("element vertex 2\nproperty {real} z\nproperty uchar red\n");
+            let vertex = vertex + &format!("property {real} x\nproperty {real} y\n");
+            let properties =
+                [("i32", "int32"), ("u32", "uint32"), ("f32", "float"), ("f64", "double")]
+                    .iter()
+                    .fold(
+                        vertex
+                            + &format!("element face 4\nproperty list uchar {item} vertex_index\n"),
+                        |text, (short, long)| {
+                            text.replace(&format!(" {short} "), &format!(" {long} "))
+                        },
+                    )
+                    + "end_header\n";
+            let values = format!(
+                "{real}:0.5 u8:9 {real}:-0.0 {real}:1e9 {real}:-7 u8:1 {real}:2 {real}:3 \
+                 u8:3 {item}:0 {item}:1 {item}:70000 u8:0 u8:4 {item}:9 {item}:8 {item}:7 {item}:6 \
+                 u8:3 {item}:2 {item}:1 {item}:0"
+            );
+            for big in [false, true] {
+                let bytes = binary(&properties, &values, big);
+                let whole = read(&bytes).unwrap();
+                assert_eq!(whole.positions, [[-0.0, 1e9, 0.5], [2.0, 3.0, -7.0]]);
+                assert_eq!(whole.faces.iter().map(<[u32]>::len).collect::<Vec<_>>(), [3, 0, 4, 3]);
+                let same = |bytes: &[u8]| {
+                    let [one, other] = [read(bytes), read_by_the_value(bytes)];
+                    // NaN is not equal to itself.
+                    assert_eq!(format!("{one:?}"), format!("{other:?}"));
+                };
+                (0..=bytes.len()).for_each(|length| same(&bytes[..length]));
+                for position in 0..bytes.len() {
+                    for value in [0, 2, 5, 0x80, 0xff] {
+                        let mut changed = bytes.clone();
+                        changed[position] = value;
+                        same(&changed);
+                    }
                 }
             }
         }

@@ -21,7 +21,7 @@ impl Encoding {
     }
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
     U8,
@@ -113,6 +113,22 @@ impl Element {
             && ["vertex_indices", "vertex_index"].contains(&property.name.as_str())
     }
 
+    /// The type that all coordinates of a `vertex` have and where they are, if its records are all
+    /// of the same size.
+    pub(super) fn layout(&self) -> Option<(Scalar, Layout)> {
+        let (mut size, mut coordinates) = (0, [None; 3]);
+        for property in &self.properties {
+            let Kind::Scalar(kind) = property.kind else { return None };
+            if let Some(axis) = self.axis(property) {
+                coordinates[axis] = Some((kind, size));
+            }
+            size += kind.size();
+        }
+        let [(x, at_x), (y, at_y), (z, at_z)] = [coordinates[0]?, coordinates[1]?, coordinates[2]?];
+        let layout = Layout { size, coordinates: [at_x, at_y, at_z] };
+        (x == y && y == z).then_some((x, layout))
+    }
+
     /// Says what a `vertex` or `face` lacks to be one, or has twice.
     fn check(&self) -> Result<(), String> {
         let amount = |name: &str, matches: &dyn Fn(&Property) -> bool| match self
@@ -146,6 +162,14 @@ impl Element {
         let skipped = self.properties.iter().filter(|property| !is_kept(property));
         skipped.map(|property| format!("{} property {}", self.name, property.name)).collect()
     }
+}
+
+/// Records of equal size.
+pub(super) struct Layout {
+    /// Bytes of a record.
+    pub(super) size: usize,
+    /// Where in a record each coordinate begins.
+    pub(super) coordinates: [usize; 3],
 }
 
 pub(super) struct Header {
