@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand};
 use triquad::clock::{Clock, SystemClock};
 use triquad::generate::paper::{self, PaperMesh};
@@ -11,7 +10,7 @@ use triquad::mesh::Output;
 use triquad::simplify::Shape;
 
 use super::progress::StatusLine;
-use super::{Failure, input, stdio};
+use super::{Failure, input, one_of, stdio};
 
 /// Make a mesh of chosen size and genus: a box with shafts, a stand-in for a scan, one of the papers'
 ///
@@ -58,7 +57,7 @@ struct BoxArguments {
 
 /// An organic surface with the irregular connectivity of a simplified scan
 ///
-/// A smooth random surface of three times as many vertices, simplified. Kept in the cache.
+/// A smooth random surface of at least three times as many vertices, simplified. Kept in the cache.
 #[derive(Args)]
 #[command(after_help = "Example: triquad generate stand-in --vertices 20000 --genus 5 -o blob.obj")]
 struct StandInArguments {
@@ -86,7 +85,7 @@ struct StandInArguments {
 #[command(after_help = "Example: triquad generate paper ir-B4 -o ir-b4.ply")]
 struct PaperArguments {
     /// The mesh
-    #[arg(value_name = "NAME", value_parser = paper_meshes())]
+    #[arg(value_name = "NAME", value_parser = one_of(paper::ALL, |mesh| mesh.name))]
     mesh: PaperMesh,
     #[command(flatten)]
     target: Target,
@@ -106,11 +105,6 @@ struct CacheOption {
     /// Where meshes are kept that take long to make [default: 'triquad' in the user's folder for caches]
     #[arg(long, value_name = "DIR", env = "TRIQUAD_CACHE")]
     cache: Option<PathBuf>,
-}
-
-fn paper_meshes() -> impl TypedValueParser<Value = PaperMesh> {
-    PossibleValuesParser::new(paper::ALL.map(|mesh| mesh.name))
-        .map(|name| paper::named(&name).expect("one of the possible values"))
 }
 
 /// Makes and writes.
@@ -174,9 +168,10 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
 
 fn failure(recipe: &Recipe, error: &GenerateError) -> Failure {
     let remedy = match error {
-        GenerateError::Box(_) | GenerateError::TooLarge(_) => "ask for another number of vertices",
+        GenerateError::Box(_) => "ask for another number of vertices",
+        GenerateError::TooLarge { .. } => "ask for fewer vertices or a smaller genus",
         GenerateError::Simplify(_) => "ask for more vertices",
-        GenerateError::Cache(_) => "check the folder of --cache and its permissions",
+        GenerateError::Cache { .. } => "check its permissions, or name another folder with --cache",
         _ => "ask for another mesh",
     };
     Failure::bad(format!("{}: {error}; {remedy}", recipe.key()))

@@ -10,6 +10,8 @@ pub mod paper;
 pub use cache::Cache;
 pub use triquad_generators::box_mesh::{BoxShape, ImpossibleBox};
 
+use std::path::PathBuf;
+
 use triquad_generators::{Surface, organic};
 
 use crate::mesh::{FaceList, MeshError};
@@ -17,8 +19,8 @@ use crate::random::Random;
 use crate::simplify::{Simplifier, SimplifyError};
 use crate::triangulation::Triangulation;
 
-/// How often a stand-in's source has the vertices that are left of it.
-const OVERSAMPLING: u32 = 3;
+/// How often at least a stand-in's source has the vertices that are left of it.
+const OVERSAMPLING: u64 = 3;
 
 /// What mesh is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,7 +34,8 @@ pub enum Recipe {
         /// Vertices that are left.
         vertices: u32,
     },
-    /// A surface like a scan: smooth, irregular, simplified from three times as many vertices.
+    /// A surface like a scan: smooth, irregular, simplified from three times as many vertices or from
+    /// the fewest that resolve its shape ([`organic::minimum_vertices`]), whichever is more.
     StandIn {
         /// Vertices that are left.
         vertices: u32,
@@ -54,11 +57,19 @@ pub enum GenerateError {
     #[error("{0}")]
     Simplify(#[from] SimplifyError),
     /// A stand-in's source would have too many half-edges.
-    #[error("a stand-in of {0} vertices needs a source of more than 2^31 half-edges")]
-    TooLarge(u32),
+    #[error("the stand-in would be simplified from {half_edges} half-edges, more than 2^31")]
+    TooLarge {
+        /// How many it would have.
+        half_edges: u64,
+    },
     /// The cache could not be written.
-    #[error("the cache: {0}")]
-    Cache(#[from] MeshError),
+    #[error("the cache in {}: {error}", folder.display())]
+    Cache {
+        /// Where the cache is.
+        folder: PathBuf,
+        /// What is wrong.
+        error: MeshError,
+    },
 }
 
 impl Recipe {
@@ -71,10 +82,10 @@ impl Recipe {
         match *self {
             Self::Box(shape) => Ok(into_list(shape.surface()?)),
             Self::SimplifiedBox { of, vertices } => {
-                simplified(&into_list(of.surface()?), &[vertices], |_| Ok(()))
+                simplified(&into_list(of.surface()?), &[], vertices, |_, _| Ok(()))
             }
             Self::StandIn { vertices, genus, seed } => {
-                simplified(&stand_in_source(vertices, genus, seed)?, &[vertices], |_| Ok(()))
+                simplified(&stand_in_source(vertices, genus, seed)?, &[], vertices, |_, _| Ok(()))
             }
         }
     }
@@ -102,25 +113,30 @@ fn into_list(surface: Surface) -> FaceList {
 }
 
 fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<FaceList, GenerateError> {
-    let source = vertices.checked_mul(OVERSAMPLING).filter(|&source| source < 1 << 28);
-    let source = source.ok_or(GenerateError::TooLarge(vertices))?;
+    let source = (OVERSAMPLING * u64::from(vertices)).max(organic::minimum_vertices(genus));
+    // E = 3 (V - 2 + 2g) by Euler's formula.
+    let half_edges = 6 * (source - 2 + 2 * u64::from(genus));
+    if half_edges > 1 << 31 {
+        return Err(GenerateError::TooLarge { half_edges });
+    }
+    let source = u32::try_from(source).expect("there are fewer vertices than half-edges");
     let mut random = Random::stream(seed, &["stand-in", &vertices.to_string(), &genus.to_string()]);
     Ok(into_list(organic::surface(genus, source, &mut |bound| random.below(bound))))
 }
 
-/// Simplifies `list` to each of `targets`, descending; all but the last go to `on_the_way`.
+/// Simplifies `list` to `vertices`, and tells `on_the_way` what it is at each of `stops`, descending.
 fn simplified(
     list: &FaceList,
-    targets: &[u32],
-    mut on_the_way: impl FnMut(FaceList) -> Result<(), GenerateError>,
+    stops: &[u32],
+    vertices: u32,
+    mut on_the_way: impl FnMut(u32, FaceList) -> Result<(), GenerateError>,
 ) -> Result<FaceList, GenerateError> {
     let triangulation = Triangulation::build(list).expect("what is generated is a triangulation");
     let mut simplifier = Simplifier::new(triangulation, &list.positions);
-    let (&last, before) = targets.split_last().expect("something is wanted");
-    for &target in before {
-        simplifier.reduce_to(target as usize)?;
-        on_the_way(simplifier.result().0)?;
+    for &stop in stops {
+        simplifier.reduce_to(stop as usize)?;
+        on_the_way(stop, simplifier.result().0)?;
     }
-    simplifier.reduce_to(last as usize)?;
+    simplifier.reduce_to(vertices as usize)?;
     Ok(simplifier.result().0)
 }
