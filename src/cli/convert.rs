@@ -2,8 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValuesParser;
-use clap::builder::TypedValueParser;
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
 use triquad::{Algorithm, Augmentation, ConvertError, Settings, Summary, convert_list};
@@ -11,7 +9,7 @@ use triquad::{Algorithm, Augmentation, ConvertError, Settings, Summary, convert_
 use super::input::{self, Repairs};
 use super::progress::StatusLine;
 use super::targets::{Paths, Targets};
-use super::{Failure, machine};
+use super::{Failure, machine, one_of};
 
 /// Convert a closed triangle mesh into quads on the same vertices
 ///
@@ -33,10 +31,10 @@ pub struct Arguments {
     /// How triangles are paired at first:
     /// tq (ours, fastest), sg (simple greedy), ps (Pulli-Segal greedy), or, perfect straight away,
     /// ds (Diks-Stanczyk) and gw (Gawrychowski-Wasylkiewicz, the faster of the two)
-    #[arg(long, default_value = "tq", value_name = "NAME", value_parser = algorithms())]
+    #[arg(long, default_value = "tq", value_name = "NAME", value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
     /// How the pairing is made perfect: local (ours) or tarjan (as published, slow on purpose)
-    #[arg(long, default_value = "local", value_name = "NAME", value_parser = augmentations())]
+    #[arg(long, default_value = "local", value_name = "NAME", value_parser = one_of(Augmentation::ALL, Augmentation::id))]
     augmentation: Augmentation,
     /// Seed of the random choices of sg and ps (the others make none); the same seed gives the same bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
@@ -46,20 +44,6 @@ pub struct Arguments {
     stats: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
-}
-
-fn algorithms() -> impl TypedValueParser<Value = Algorithm> {
-    PossibleValuesParser::new(Algorithm::ALL.map(Algorithm::id)).map(|id| {
-        let named = Algorithm::ALL.into_iter().find(|algorithm| algorithm.id() == id);
-        named.expect("one of the possible values")
-    })
-}
-
-fn augmentations() -> impl TypedValueParser<Value = Augmentation> {
-    PossibleValuesParser::new(Augmentation::ALL.map(Augmentation::id)).map(|id| {
-        let named = Augmentation::ALL.into_iter().find(|augmentation| augmentation.id() == id);
-        named.expect("one of the possible values")
-    })
 }
 
 /// The record of one conversion.

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use triquad::Triangulation;
 use triquad::clock::{Clock, SystemClock};
@@ -13,7 +12,7 @@ use triquad::triangulation::{Id, VertexId};
 use super::input::{self, Repairs};
 use super::progress::StatusLine;
 use super::targets::{Paths, Targets};
-use super::{Failure, machine};
+use super::{Failure, machine, one_of};
 
 /// Contract edges of a closed triangle mesh until none can be without changing the surface
 ///
@@ -33,10 +32,10 @@ pub struct Arguments {
     output: Option<PathBuf>,
     /// How contractible edges are found:
     /// rs (Ramaswami-Siqueira, each edge tested once), schipper, brute-force
-    #[arg(long, default_value = "rs", value_name = "NAME", value_parser = methods())]
+    #[arg(long, default_value = "rs", value_name = "NAME", value_parser = one_of(Method::ALL, Method::id))]
     algorithm: Method,
     /// The order in which rs processes vertices: file or random
-    #[arg(long, default_value = "file", value_name = "NAME", value_parser = orders())]
+    #[arg(long, default_value = "file", value_name = "NAME", value_parser = one_of(Order::ALL, Order::id))]
     order: Order,
     /// Seed of brute-force and of --order random; the same seed gives the same bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
@@ -46,20 +45,6 @@ pub struct Arguments {
     stats: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
-}
-
-fn methods() -> impl TypedValueParser<Value = Method> {
-    PossibleValuesParser::new(Method::ALL.map(Method::id)).map(|id| {
-        let named = Method::ALL.into_iter().find(|method| method.id() == id);
-        named.expect("one of the possible values")
-    })
-}
-
-fn orders() -> impl TypedValueParser<Value = Order> {
-    PossibleValuesParser::new(Order::ALL.map(Order::id)).map(|id| {
-        let named = Order::ALL.into_iter().find(|order| order.id() == id);
-        named.expect("one of the possible values")
-    })
 }
 
 /// The record of one run.

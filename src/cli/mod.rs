@@ -17,6 +17,7 @@ mod targets;
 
 use std::process::ExitCode;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
@@ -63,6 +64,17 @@ impl Failure {
     fn bad(message: String) -> Self {
         Self { code: 2, message }
     }
+}
+
+/// Understands the names of `all` that there are.
+fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.map(name)).map(move |given| {
+        let named = all.into_iter().find(|&one| name(one) == given);
+        named.expect("one of the possible values")
+    })
 }
 
 /// Runs the verb that the arguments name.
