@@ -145,7 +145,8 @@ impl Simplifier {
         Ok(())
     }
 
-    /// The vertices and triangles left, in their old order. O(n) of the input.
+    /// The vertices and triangles left, in their old order. O(n + m log m) for n vertices of the input
+    /// and m left.
     pub fn result(&self) -> (FaceList, Triangulation) {
         let (survivors, triangulation) = self.triangulation.survivors();
         let position = |&v: &VertexId| scaled(self.points[v].position, self.scale);

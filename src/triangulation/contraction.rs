@@ -244,7 +244,7 @@ impl ShrinkingTriangulation {
     }
 
     /// The vertices that are left, in order, and the triangulation that they and the triangles that
-    /// are left form, both renumbered in order. O(n).
+    /// are left form, both renumbered in order. O(n + m log m) for m triangles left.
     pub fn survivors(&self) -> (Vec<VertexId>, Triangulation) {
         let alive = |&v: &VertexId| self.star[v].outgoing != HalfEdgeId::NONE;
         let survivors: Vec<VertexId> = self.star.ids().filter(alive).collect();
