@@ -86,6 +86,10 @@ enum Trial {
 /// ```
 #[derive(Clone)]
 pub struct DynamicConnectivity {
+    /// Number of nodes.
+    nodes: u32,
+    /// How many edges of a level are tried before any rises.
+    trials: u32,
     tours: EulerTourForest,
     /// For each node of a tour, that of the same vertex or way one level up.
     above: Vec<u32>,
@@ -101,10 +105,16 @@ impl DynamicConnectivity {
     /// # Panics
     /// If `n` is not below 2^30, or `edge_names` exceeds that.
     pub fn new(n: usize, edge_names: usize) -> Self {
+        Self::with_trials(n, edge_names, TRIALS)
+    }
+
+    fn with_trials(n: usize, edge_names: usize, trials: u32) -> Self {
         assert!(n < 1 << 30 && edge_names <= 1 << 30, "2^30 nodes or more edges than that");
         let mut tours = EulerTourForest::with_capacity(3 * n);
         (0..n as u32).for_each(|v| assert_eq!(tours.add_vertex(v), v));
         Self {
+            nodes: n as u32,
+            trials,
             tours,
             above: vec![NONE; n],
             first: vec![NONE; n],
@@ -146,10 +156,11 @@ impl DynamicConnectivity {
     /// the spanning forest.
     ///
     /// # Panics
-    /// If there is an edge of this name already, or the ends are equal.
+    /// If there is an edge of this name already, or the ends are equal or do not exist.
     pub fn insert(&mut self, edge: u32, a: u32, b: u32) -> bool {
         assert!(!self.contains(edge), "there is an edge {edge} already");
         assert!(a != b, "edge {edge} is a loop");
+        assert!(a.max(b) < self.nodes, "edge {edge} has an end that does not exist");
         self.edges[edge as usize].ends = [a, b];
         self.level[edge as usize] = 0;
         let joins = !self.connected(a, b);
@@ -200,6 +211,7 @@ impl DynamicConnectivity {
     fn replacement(&mut self, halves: [u32; 2], i: u8) -> Option<u32> {
         let [one, other] = halves.map(|half| self.tours.vertex_count(half));
         let small = halves[usize::from(one > other)];
+        debug_assert!(u64::from(one.min(other)) << (i + 1) <= u64::from(self.nodes));
         match self.try_some(small, i) {
             Trial::Found(edge) => return Some(edge),
             Trial::NoneLeft => return None,
@@ -226,7 +238,7 @@ impl DynamicConnectivity {
     /// Looks at the first few non-tree edges of level `i` at the tree of `small` in F_i; one that leads
     /// out is taken from its lists.
     fn try_some(&mut self, small: u32, i: u8) -> Trial {
-        let mut left = TRIALS;
+        let mut left = self.trials;
         let mut next = self.tours.first_marked(small, Mark::NonTree);
         while let Some(x) = next {
             let mut edge = self.first[x as usize];
@@ -380,3 +392,6 @@ impl DynamicConnectivity {
         usize::from(self.edges[edge as usize].ends[1] == v)
     }
 }
+
+#[cfg(test)]
+mod tests;
