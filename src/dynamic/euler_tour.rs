@@ -18,9 +18,9 @@ use super::NONE;
 /// [`DynamicConnectivity`](super::DynamicConnectivity).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mark {
-    /// Lowest bit.
+    /// There, on ways: the edge's level is that of the tour.
     Tree = 1,
-    /// The other one.
+    /// There, on vertices: non-tree edges of the tour's level hang on it.
     NonTree = 2,
 }
 
@@ -84,6 +84,9 @@ impl EulerTourForest {
 
     /// A new tree of one vertex. The first vertices are named 0, 1, 2 … until anything else has been
     /// done. O(1).
+    ///
+    /// # Panics
+    /// In debug builds, if `label` is not below 2^30.
     pub fn add_vertex(&mut self, label: u32) -> u32 {
         let vertex = self.add(label);
         self.nodes[vertex as usize].total = 1 << MARKS;
@@ -127,7 +130,7 @@ impl EulerTourForest {
     /// `a` to `b`, by which the edge is cut again; both ways get the label.
     ///
     /// # Panics
-    /// In debug builds, if `a` and `b` are in one tree.
+    /// In debug builds, if `a` and `b` are in one tree, or `label` is not below 2^30.
     pub fn link(&mut self, a: u32, b: u32, label: u32) -> u32 {
         debug_assert!(!self.connected(a, b), "{a} and {b} are connected");
         let [there, back] = [self.add(label), self.add(label)];
@@ -146,9 +149,12 @@ impl EulerTourForest {
     }
 
     /// Removes the edge of which `way` is one node.
+    ///
+    /// # Panics
+    /// If `way` is a vertex.
     pub fn cut(&mut self, way: u32) {
         let twin = self.nodes[way as usize].twin;
-        debug_assert!(twin != NONE, "{way} is a vertex");
+        assert!(twin != NONE, "{way} is a vertex");
         let [before, after] = self.take_out(way);
         let twin_came_first = before != NONE && self.connected(before, twin);
         let [left, right] = self.take_out(twin);

@@ -56,6 +56,9 @@ impl LinkCutForest {
     pub const MAX_VALUE: u32 = VALUE;
 
     /// `n` trees of one node each, of value 0. O(n).
+    ///
+    /// # Panics
+    /// If `n` exceeds 2^32 - 1.
     pub fn new(n: usize) -> Self {
         Self::from_parents(n, |_| None)
     }
@@ -64,7 +67,11 @@ impl LinkCutForest {
     /// are 0. O(n).
     ///
     /// The parents must not run in circles; that is not checked.
+    ///
+    /// # Panics
+    /// If `n` exceeds 2^32 - 1.
     pub fn from_parents(n: usize, parent: impl Fn(u32) -> Option<u32>) -> Self {
+        assert!(n <= NONE as usize, "more than 2^32 - 1 nodes");
         let node = |v| Node { parent: parent(v).unwrap_or(NONE), child: [NONE; 2], tag: 0 };
         Self { nodes: (0..n as u32).map(node).collect() }
     }
@@ -148,6 +155,7 @@ impl LinkCutForest {
     pub fn cut(&mut self, a: u32, b: u32) {
         self.evert(a);
         let above = self.cut_above(b);
+        self.push(a);
         let edge = above == Some(a) && self.nodes[a as usize].child[1] == NONE;
         assert!(edge, "{a} and {b} are not adjacent");
     }
@@ -161,7 +169,6 @@ impl LinkCutForest {
             return None;
         }
         self.nodes[above as usize].parent = NONE;
-        self.push(above);
         Some(above)
     }
 
