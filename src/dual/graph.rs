@@ -63,19 +63,20 @@ impl DualGraph {
     /// A graph of `nodes` nodes, at most three edges each; parallel edges are allowed. O(n).
     ///
     /// # Errors
-    /// Names the node that has a loop, too many edges, or does not exist.
+    /// Too many nodes; or names the first end, edge by edge, that does not exist, is both ends of its
+    /// edge, or has three edges already.
     pub fn from_edges(nodes: usize, edges: &[(u32, u32)]) -> Result<Self, NotADualGraph> {
         if nodes > MAX_CORNERS / 3 {
             return Err(NotADualGraph::TooLarge);
         }
         let mut neighbours = vec![[TriangleId::NONE; 3]; nodes];
         for &(a, b) in edges {
-            if a == b {
-                return Err(NotADualGraph::Loop(a));
-            }
             for (from, to) in [(a, b), (b, a)] {
                 let row =
                     neighbours.get_mut(from as usize).ok_or(NotADualGraph::OutOfRange(from))?;
+                if from == to {
+                    return Err(NotADualGraph::Loop(from));
+                }
                 let free = row.iter_mut().find(|slot| **slot == TriangleId::NONE);
                 *free.ok_or(NotADualGraph::Degree(from))? = TriangleId(to);
             }

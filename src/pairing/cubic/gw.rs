@@ -9,11 +9,12 @@
 //! how to mend T after u and v have been removed:
 //!
 //! 1. T − {u, v} has K components, 1 ≤ K ≤ 4, each with a slot (w, x, y_r, y_s).
-//! 2. Each removed edge of T from u or v to a slot, if K > 1, separated that slot's component from the
-//!    rest, so its cover leaves the component. If that is none of the removed edges, and its ends
-//!    are not connected by now, it joins T, and K falls by one. It is none of them if the component
-//!    has but one slot, as those edges end in slots. So afterwards K = 1, or K = 2 with two slots
-//!    each.
+//! 2. Let K > 1. Then u or v is a *fork*, at which T fell apart: both are if e was in T, or else those
+//!    with two more edges of T. Every component hangs by one edge of T, from a slot to a fork, which
+//!    separated it from the rest, so that edge's cover leaves the component. If it is none of the
+//!    removed edges, and its ends are not connected by now, it joins T, and K falls by one. It is
+//!    none of them if the component has but one slot, as those edges end in slots. So afterwards
+//!    K = 1, or K = 2 with two slots each.
 //! 3. K = 1: T spans H', and the rule for trees chooses. Both new edges stay outside T and become the
 //!    covers of their paths in T.
 //!    K = 2: the candidate with two edges from one component to the other. One joins T, the other
@@ -58,7 +59,7 @@ struct Rest {
     count: u32,
     /// If K = 1, a slot whose node is the root.
     root: usize,
-    /// If K > 1, the covers that the edges to the slots had.
+    /// If K > 1, the covers that the edges from forks to slots had.
     cover: [EdgeId; 4],
 }
 
@@ -132,7 +133,7 @@ impl SpanningTree {
         let root = hangs.iter().position(|&hangs| hangs).expect("T spans the graph");
         let mut cover = [EdgeId::NONE; 4];
         if count == 1 {
-            // Leaves, u and v or both together.
+            // What is removed hangs on the rest of T as two leaves, u and v, or as one twig of both.
             self.forest.evert(slots[root].1.0);
             for i in (0..4).filter(|&i| hangs[i]) {
                 self.cut_above(self.node(slots[i].0));

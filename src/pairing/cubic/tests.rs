@@ -94,35 +94,53 @@ fn assert_all(edges: &Edges, excluded: impl IntoIterator<Item = usize>, depth: D
 
 // All small graphs.
 
-/// Whether all nodes hang together without the edge `removed`, by union of sets.
-fn holds_together(nodes: usize, edges: &Edges, removed: Option<usize>) -> bool {
+/// The lowest node not connected with node 0 without the edge `removed`, by union of sets.
+fn stray(nodes: usize, edges: &Edges, removed: Option<usize>) -> Option<usize> {
     let mut set: Vec<_> = (0..nodes).collect();
     for (_, &(a, b)) in edges.iter().enumerate().filter(|&(i, _)| Some(i) != removed) {
         let [from, to] = [set[a as usize], set[b as usize]];
         set.iter_mut().filter(|s| **s == from).for_each(|s| *s = to);
     }
-    set.iter().all(|&s| s == set[0])
+    set.iter().position(|&s| s != set[0])
 }
 
-/// What `CubicGraph::from_edges` should say, for 3-regular graphs without loops.
-fn assert_verdict(nodes: usize, edges: &Edges) -> Option<CubicGraph> {
-    let is_bridge = |i| !holds_together(nodes, edges, Some(i));
-    match CubicGraph::from_edges(nodes, edges) {
-        Ok(graph) => {
-            assert!(!(0..edges.len()).any(is_bridge), "{edges:?}");
-            Some(graph)
+/// The first end of an edge that does not exist, closes a loop or is the fourth at its node.
+fn wrong_end(nodes: usize, edges: &Edges) -> Option<NotADualGraph> {
+    let ends: Vec<_> = edges.iter().flat_map(|&(a, b)| [(a, b), (b, a)]).collect();
+    (0..ends.len()).find_map(|i| {
+        let (from, to) = ends[i];
+        let before = ends[..i].iter().filter(|end| end.0 == from).count();
+        match from {
+            _ if from as usize >= nodes => Some(NotADualGraph::OutOfRange(from)),
+            _ if from == to => Some(NotADualGraph::Loop(from)),
+            _ if before == 3 => Some(NotADualGraph::Degree(from)),
+            _ => None,
         }
-        Err(IllegalGraph::Disconnected(_)) => {
-            assert!(!holds_together(nodes, edges, None), "{edges:?}");
-            None
-        }
-        Err(IllegalGraph::Bridge(a, b)) => {
-            let named = edges.iter().position(|&edge| edge == (a, b) || edge == (b, a));
-            assert!(holds_together(nodes, edges, None) && is_bridge(named.unwrap()), "{edges:?}");
-            None
-        }
-        Err(other) => panic!("{other}: {edges:?}"),
-    }
+    })
+}
+
+/// The graph of these edges, or else the error, checked against the definitions.
+fn assert_verdict(nodes: usize, edges: &Edges) -> Result<CubicGraph, IllegalGraph> {
+    let verdict = CubicGraph::from_edges(nodes, edges);
+    let error = verdict.as_ref().err().copied();
+    let degree = |v: u32| edges.iter().filter(|&&(a, b)| a == v || b == v).count();
+    let is_bridge = |i| stray(nodes, edges, Some(i)).is_some();
+    let named = |pair| edges.iter().position(|&(a, b)| (a.min(b), a.max(b)) == pair).unwrap();
+    let as_told = if nodes == 0 {
+        error == Some(IllegalGraph::Empty)
+    } else if let Some(wrong) = wrong_end(nodes, edges) {
+        error == Some(IllegalGraph::NotADualGraph(wrong))
+    } else if let Some(v) = stray(nodes, edges, None) {
+        error == Some(IllegalGraph::Disconnected(v as u32))
+    } else if (0..nodes as u32).any(|v| degree(v) < 3) {
+        matches!(error, Some(IllegalGraph::Degree(v)) if degree(v) < 3)
+    } else if (0..edges.len()).any(is_bridge) {
+        matches!(error, Some(IllegalGraph::Bridge(a, b)) if is_bridge(named((a.min(b), a.max(b)))))
+    } else {
+        error.is_none()
+    };
+    assert!(as_told, "{nodes} nodes, {error:?}: {edges:?}");
+    verdict
 }
 
 /// Solves all legal graphs of `nodes` nodes without each edge that `excluded` chooses from the number
@@ -136,7 +154,7 @@ fn every_graph_is_solved<I: IntoIterator<Item = usize>>(
     let (mut legal, mut all) = (0, 0);
     every_graph(nodes, &mut |edges| {
         all += 1;
-        let Some(graph) = assert_verdict(nodes as usize, edges) else { return };
+        let Ok(graph) = assert_verdict(nodes as usize, edges) else { return };
         let solver = Solver::new(edges, graph);
         for excluded in excluded(legal, edges.len()) {
             backs.iter().for_each(|&back| solver.assert_solves(excluded, back, depth));
@@ -201,7 +219,7 @@ fn random_graphs_are_solved_or_refused() {
         let mut random = Random::stream(seed, &["cubic"]);
         let nodes = 2 * (1 + random.below(if seed % 20 == 0 { 40 } else { 8 }));
         let edges = random_graph(nodes, &mut random);
-        if assert_verdict(nodes as usize, &edges).is_some() {
+        if assert_verdict(nodes as usize, &edges).is_ok() {
             assert_all(&edges, [random.below(3 * nodes / 2) as usize], Depth::Everything);
             solved += 1;
         } else {
@@ -267,6 +285,42 @@ fn illegal_graphs_are_refused() {
     assert_eq!(refusal(2, &vec![(0, 1), (1, 1)]), with(NotADualGraph::Loop(1)));
     assert_eq!(refusal(2, &vec![(0, 1); 4]), with(NotADualGraph::Degree(0)));
     assert_eq!(refusal(2, &vec![(0, 2)]), with(NotADualGraph::OutOfRange(2)));
+}
+
+/// Sound graphs with a little damage: an edge that is gone, doubled or led elsewhere.
+#[test]
+fn damaged_graphs_are_refused_for_what_is_wrong_first() {
+    let mut refusals = std::collections::BTreeMap::new();
+    for seed in 0..20_000 {
+        let mut random = Random::stream(seed, &["damage"]);
+        let steps: Vec<_> =
+            (0..seed % 4).map(|_| [(); 2].map(|()| random.below(9)).into()).collect();
+        let mut edges = grown(&steps);
+        let nodes = edges.len() * 2 / 3;
+        random.shuffle(&mut edges);
+        for _ in 0..random.below(3) {
+            let edge = random.below(edges.len() as u32) as usize;
+            match random.below(3) {
+                0 => {
+                    edges.swap_remove(edge);
+                }
+                1 => edges.push(edges[edge]),
+                _ => edges[edge].1 = random.below(nodes as u32 + 1),
+            }
+        }
+        let nodes = nodes.saturating_sub(usize::from(seed % 100 == 0));
+        let error = assert_verdict(nodes, &edges).err();
+        let kind = format!("{error:?}").replace(|c: char| c.is_ascii_digit(), "");
+        *refusals.entry(kind).or_insert(0) += 1;
+    }
+    assert!(refusals.len() >= 7 && refusals.values().all(|&count| count > 20), "{refusals:?}");
+}
+
+#[test]
+#[should_panic(expected = "index out of bounds")]
+fn an_edge_that_is_not_there_cannot_be_excluded() {
+    let graph = CubicGraph::from_edges(2, &[(0, 1); 3]).unwrap();
+    graph.matching_without(3, Method::LinkCutTree);
 }
 
 #[test]
