@@ -16,19 +16,18 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde_json::Value;
+use triquad::irreducible::Method;
 use triquad::mesh::{self, FaceList, Output};
 use triquad::random::Random;
 use triquad::triangulation::Id;
-use triquad::{DualGraph, Triangulation};
+use triquad::{Algorithm, DualGraph, Triangulation};
 use triquad_generators::{grids, random};
 
 const ROUNDS: usize = 3;
-const ALGORITHMS: [&str; 5] = ["tq", "ps", "sg", "gw", "ds"];
 /// DS takes about 15 µs a triangle: beyond this one is left out.
 const DS_LIMIT: f64 = 1.1e6;
 /// petgraph takes seconds for this many triangles, and its time grows with their square.
 const PETGRAPH_LIMIT: f64 = 50e3;
-const METHODS: [&str; 3] = ["rs", "schipper", "brute-force"];
 const VARIANTS: [&str; 3] = ["lemon_greedydense", "lemon_dense", "lemon_run"];
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -101,13 +100,13 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
     let mut yardstick = f64::INFINITY;
     // Interleaved: a slow minute of the machine then hits everything alike.
     for _ in 0..ROUNDS {
-        for algorithm in ALGORITHMS {
+        for algorithm in Algorithm::ALL.map(Algorithm::id) {
             let size = best.get("tq").map_or(0.0, |tq| tq["triangles"]);
             if algorithm != "ds" || size <= DS_LIMIT {
                 keep_best(best.entry(algorithm).or_default(), &run("convert", path, algorithm)?);
             }
         }
-        for method in METHODS {
+        for method in Method::ALL.map(Method::id) {
             keep_best(best.entry(method).or_default(), &run("irreducible", path, method)?);
         }
         for variant in VARIANTS {
@@ -116,13 +115,15 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
             }
         }
     }
-    for algorithm in ALGORITHMS.into_iter().filter(|algorithm| best.contains_key(algorithm)) {
-        print_row(path, algorithm, &best[algorithm], lemon.is_some().then_some(yardstick));
+    for algorithm in Algorithm::ALL.map(Algorithm::id) {
+        if let Some(best) = best.get(algorithm) {
+            print_row(path, algorithm, best, lemon.is_some().then_some(yardstick));
+        }
     }
     if best["tq"]["triangles"] <= PETGRAPH_LIMIT {
         println!("{:24.24} {:>14} {:>23.3}", "", "petgraph", petgraph_seconds(path)?);
     }
-    for method in METHODS {
+    for method in Method::ALL.map(Method::id) {
         print_irreducible(method, &best[method], lemon.is_some().then_some(yardstick));
     }
     Ok(())
@@ -132,10 +133,8 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
 fn petgraph_seconds(path: &Path) -> Result<f64> {
     let triangulation = Triangulation::build(&mesh::read(path)?)?;
     let dual = DualGraph::of(&triangulation);
-    let around = |f| dual.neighbours(f).filter(move |&g| f < g).map(move |g| (f, g));
-    let edges =
-        dual.triangles().flat_map(around).map(|(f, g)| (f.index() as u32, g.index() as u32));
-    let graph = petgraph::graph::UnGraph::<(), ()>::from_edges(edges);
+    let graph =
+        petgraph::graph::UnGraph::<(), ()>::from_edges(edges(&dual).map(<(u32, u32)>::from));
     let start = std::time::Instant::now();
     let matching = petgraph::algo::maximum_matching(&graph);
     let seconds = start.elapsed().as_secs_f64();
@@ -171,16 +170,18 @@ fn lemon_seconds(program: &Path, variant: &str, dual: &Path) -> Result<f64> {
 fn write_dual(path: &Path, dual: &Path) -> Result<()> {
     let triangulation = Triangulation::build(&mesh::read(path)?)?;
     let graph = DualGraph::of(&triangulation);
-    let edges = || {
-        let around = |f| graph.neighbours(f).filter(move |&g| f < g).map(move |g| [f, g]);
-        graph.triangles().flat_map(around)
-    };
     let mut file = std::io::BufWriter::new(std::fs::File::create(dual)?);
-    for number in [graph.len(), edges().count()].into_iter().chain(edges().flatten().map(Id::index))
-    {
-        file.write_all(&(number as i32).to_le_bytes())?;
+    let counts = [graph.len() as u32, edges(&graph).count() as u32];
+    for number in counts.into_iter().chain(edges(&graph).flatten()) {
+        file.write_all(&number.to_le_bytes())?;
     }
     Ok(file.flush()?)
+}
+
+/// Both ends of each edge of a dual graph.
+fn edges(dual: &DualGraph) -> impl Iterator<Item = [u32; 2]> {
+    let around = |f| dual.neighbours(f).filter(move |&g| f < g).map(move |g| [f, g]);
+    dual.triangles().flat_map(around).map(|ends| ends.map(|f| f.index() as u32))
 }
 
 fn print_row(path: &Path, algorithm: &str, best: &Best, yardstick: Option<f64>) {

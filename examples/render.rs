@@ -1,6 +1,7 @@
 //! Draws a mesh file: `cargo run --release --example render -- IN.obj OUT.png`.
 
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 use clap::Parser;
 use triquad::mesh;
@@ -42,8 +43,17 @@ struct Options {
     transparent: bool,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let options = Options::parse();
+fn main() -> ExitCode {
+    match draw(&Options::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("render: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn draw(options: &Options) -> Result<(), Box<dyn std::error::Error>> {
     let mesh = mesh::read(&options.input)?;
     let image = Picture {
         width: options.size[0],
