@@ -1,10 +1,14 @@
 //! The chain from triangles to quads, and the only readings of the clock.
 
+use std::borrow::Cow;
+
 use crate::augmentation::{Augmentation, AugmentationStats, make_maximum};
 use crate::clock::{Clock, SystemClock};
-use crate::mesh::FaceList;
+use crate::mesh::{FaceList, Faces};
 use crate::pairing::Algorithm;
-use crate::quadrangulation::{CheckReport, Mismatch, Quadrangulation, check_faces};
+use crate::quadrangulation::{
+    CheckReport, Mismatch, Quadrangulation, check_faces, check_retriangulated_faces,
+};
 use crate::random::Random;
 use crate::triangulation::{Survey, Triangulation};
 
@@ -50,9 +54,11 @@ impl Progress for () {}
 
 /// A conversion's result, counts and times. Times are in seconds.
 #[derive(Clone, Debug)]
-pub struct Conversion {
+pub struct Conversion<'t> {
     /// The quads.
     pub quadrangulation: Quadrangulation,
+    /// The triangulation whose triangles were paired.
+    pub triangulation: Cow<'t, Triangulation>,
     /// Triangles k that the initial pairing left unpaired: column (c) of the paper's tables.
     pub unpaired_triangles: usize,
     /// Edges of the triangulation whose triangles were paired that the input does not have.
@@ -137,12 +143,12 @@ pub fn convert(triangulation: &Triangulation, settings: &Settings) -> Quadrangul
 }
 
 /// Like [`convert`], with counts and times.
-pub fn convert_timed(
-    triangulation: &Triangulation,
+pub fn convert_timed<'t>(
+    triangulation: &'t Triangulation,
     settings: &Settings,
     clock: &impl Clock,
     progress: &mut dyn Progress,
-) -> Conversion {
+) -> Conversion<'t> {
     progress.stage(Stage::Pairing);
     let mut random = Random::stream(settings.seed, &[settings.algorithm.id()]);
     let (initial, pairing_seconds) =
@@ -159,12 +165,39 @@ pub fn convert_timed(
 
     Conversion {
         quadrangulation: Quadrangulation::new(&initial.triangulation, &perfect),
+        triangulation: initial.triangulation,
         unpaired_triangles,
         edge_flips: initial.edge_flips,
         augmentation,
         pairing_seconds,
         augmentation_seconds,
     }
+}
+
+/// What [`convert_mesh`] makes of a face list.
+#[derive(Clone, Debug)]
+pub struct ConvertedMesh {
+    /// The vertices of the input and the quads.
+    pub quads: FaceList,
+    /// The triangles that were paired: those of the input, or others on the same vertices.
+    pub triangles: Faces,
+    /// Counts and times.
+    pub summary: Summary,
+}
+
+/// Like [`convert_mesh`], without the triangles.
+///
+/// # Errors
+/// The input breaks a law.
+pub fn convert_list(
+    list: FaceList,
+    flip_faces: bool,
+    settings: &Settings,
+    clock: &impl Clock,
+    progress: &mut dyn Progress,
+) -> Result<(FaceList, Summary), ConvertError> {
+    let converted = convert_mesh(list, flip_faces, settings, clock, progress)?;
+    Ok((converted.quads, converted.summary))
 }
 
 /// Converts a face list into one of quads on the same vertices, checks the result, and tells counts
@@ -175,13 +208,13 @@ pub fn convert_timed(
 ///
 /// # Cost
 /// As for [`convert`]; at its peak about 100 bytes a triangle, the list included.
-pub fn convert_list(
+pub fn convert_mesh(
     mut list: FaceList,
     flip_faces: bool,
     settings: &Settings,
     clock: &impl Clock,
     progress: &mut dyn Progress,
-) -> Result<(FaceList, Summary), ConvertError> {
+) -> Result<ConvertedMesh, ConvertError> {
     progress.stage(Stage::Building);
     let (built, build_seconds) =
         clock.time(|| Triangulation::build_oriented(&mut list, flip_faces));
@@ -190,9 +223,11 @@ pub fn convert_list(
 
     progress.stage(Stage::Checking);
     let quads = conversion.quadrangulation.faces();
-    let attributes = conversion.quadrangulation.carry_attributes(&triangulation, &list);
-    let (check, check_seconds) =
-        clock.time(|| check_faces(&quads, &list.faces, list.positions.len()));
+    let flipped = match &conversion.triangulation {
+        Cow::Borrowed(_) => None,
+        Cow::Owned(flipped) => Some(flipped.faces()),
+    };
+    let (check, check_seconds) = clock.time(|| check_result(&quads, flipped.as_ref(), &list));
     let summary = Summary {
         vertices: triangulation.vertex_count(),
         edges: triangulation.edge_count(),
@@ -208,8 +243,27 @@ pub fn convert_list(
         augmentation_seconds: conversion.augmentation_seconds,
         check_seconds,
     };
-    list.faces = quads;
+    let attributes = conversion.quadrangulation.carry_attributes(
+        &conversion.triangulation,
+        &triangulation,
+        &list,
+    );
+    let given = std::mem::replace(&mut list.faces, quads);
     list.cut_from.clear();
     list.attributes = attributes.map(Box::new);
-    Ok((list, summary))
+    Ok(ConvertedMesh { quads: list, triangles: flipped.unwrap_or(given), summary })
+}
+
+/// Checks quads against the triangles that were paired, and those, if they are `flipped`, against
+/// the triangles given.
+fn check_result(
+    quads: &Faces,
+    flipped: Option<&Faces>,
+    given: &FaceList,
+) -> Result<CheckReport, Mismatch> {
+    let vertices = given.positions.len();
+    if let Some(flipped) = flipped {
+        check_retriangulated_faces(flipped, &given.faces, vertices)?;
+    }
+    check_faces(quads, flipped.unwrap_or(&given.faces), vertices)
 }

@@ -14,7 +14,7 @@
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
 //! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
 //! | [`dynamic`] | link-cut trees, Euler-tour trees, dynamic connectivity | for section 3.2 |
-//! | [`pairing`] | initial pairings: SG, PS, DS, GW, ours | section 3 |
+//! | [`pairing`] | initial pairings: SG, PS, DS, GW, LRS, ours | section 3 |
 //! | [`quadrangulation`] | the quads, and a check that trusts nothing | section 2 |
 //! | [`simplify`] | fewer vertices, exactly as many as asked for, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |
@@ -47,10 +47,10 @@ pub mod triangulation;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum, make_perfect};
 pub use convert::{
-    Conversion, ConvertError, Progress, Settings, Stage, Summary, convert, convert_list,
-    convert_timed,
+    Conversion, ConvertError, ConvertedMesh, Progress, Settings, Stage, Summary, convert,
+    convert_list, convert_mesh, convert_timed,
 };
 pub use dual::{DualGraph, Matching, PerfectMatching};
-pub use pairing::Algorithm;
-pub use quadrangulation::{CheckReport, Mismatch, Quadrangulation, check};
+pub use pairing::{Algorithm, Expansion};
+pub use quadrangulation::{CheckReport, Mismatch, Quadrangulation, check, check_retriangulation};
 pub use triangulation::{Element, Law, Survey, Triangulation, Violation};

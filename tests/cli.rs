@@ -212,11 +212,45 @@ fn every_algorithm_augmentation_and_format_works_together() {
                 ["out.obj", "out.ply", "out.off", "out.obj.gz", "out.ply.gz", "out.off.gz"]
             {
                 workshop.succeed(&format!(
-                    "convert in.obj -o {output} --algorithm {algorithm} --augmentation {augmentation}"
+                    "convert in.obj -o {output} --algorithm {algorithm} --augmentation {augmentation} \
+                     --write-triangulation paired.obj"
                 ));
-                workshop.succeed(&format!("check {output} --against in.obj"));
+                workshop.succeed(&format!(
+                    "check {output} --against in.obj --triangulation paired.obj"
+                ));
             }
         }
+    }
+}
+
+#[test]
+fn the_triangulation_whose_triangles_were_paired_is_written() {
+    let workshop = Workshop::new();
+    let mesh = irregular_mesh();
+    workshop.put_surface("in.obj", &mesh);
+    workshop.succeed("convert in.obj --write-triangulation same.obj");
+    assert_eq!(workshop.mesh("same.obj"), workshop.mesh("in.obj"));
+
+    workshop.succeed("convert in.obj --algorithm lrs -o out.obj --write-triangulation k.ply");
+    let line = workshop.fail("check out.obj --against in.obj", 1);
+    assert_contains(&line, &["out.obj", "is not two triangles"], "quads of flipped triangles");
+    let report = workshop.succeed("check out.obj --against in.obj --triangulation k.ply");
+    assert_contains(&report, &["out.obj: ok", "k.ply"], "check");
+    workshop.put_surface("sphere.obj", &grids::sphere(4));
+    workshop.fail("check out.obj --against sphere.obj --triangulation k.ply", 1);
+    workshop.fail("check out.obj --against in.obj --triangulation sphere.obj", 1);
+    let cut = with_faces(&workshop.mesh("k.ply"), |faces| drop(faces.pop()));
+    workshop.put_mesh("cut.obj", &cut);
+    workshop.fail("check out.obj --against in.obj --triangulation cut.obj", 2);
+
+    for (arguments, told) in [
+        ("-o out.obj --write-triangulation out.obj", "--write-triangulation would overwrite"),
+        ("--stats s.obj --write-triangulation s.obj", "--stats would overwrite"),
+        ("-o - --write-triangulation -", "would mix on standard output"),
+        ("--stats - --write-triangulation -", "would mix on standard output"),
+    ] {
+        let line = workshop.fail(&format!("convert in.obj {arguments}"), 2);
+        assert_contains(&line, &[told], arguments);
     }
 }
 
@@ -367,7 +401,7 @@ fn a_reader_that_goes_away_causes_no_panic() {
 
 // Statistics.
 
-const STATS_FIELDS: [&str; 26] = [
+const STATS_FIELDS: [&str; 29] = [
     "schema",
     "input",
     "algorithm",
@@ -394,6 +428,9 @@ const STATS_FIELDS: [&str; 26] = [
     "augmenting_path_length_mean",
     "augmenting_path_length_max",
     "augmentation_triangles_visited",
+    "quality_minimum",
+    "quality_mean",
+    "quality_histogram",
 ];
 
 fn assert_has_fields(json: &Value, fields: &[&str]) {
@@ -445,8 +482,13 @@ fn assert_stats_are_consistent(stats: &Value, surface: &Surface) {
         ("components", 1),
         ("quads", triangles / 2),
         ("augmenting_paths", count("unpaired_triangles") / 2),
-        ("edge_flips", 0),
     ];
+    let flips_edges = stats["algorithm"] == "lrs";
+    assert_eq!(count("edge_flips") > 0, flips_edges, "{stats}");
+    let classes = stats["quality_histogram"].as_array().unwrap().iter();
+    assert_eq!(classes.map(|class| class.as_u64().unwrap()).sum::<u64>(), triangles / 2);
+    let [least, mean] = ["quality_minimum", "quality_mean"].map(number);
+    assert!(-1.0 <= least && least <= mean && mean <= 1.0);
     for (field, expected) in expected {
         assert_eq!(count(field), expected, "{field}");
     }

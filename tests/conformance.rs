@@ -5,16 +5,19 @@ mod common;
 use std::collections::{HashMap, HashSet};
 
 use proptest::prelude::*;
+use triquad::clock::SteppingClock;
 use triquad::mesh::{FaceList, Faces};
+use triquad::pairing::lrs;
 use triquad::triangulation::Id;
 use triquad::{
-    Algorithm, Augmentation, Mismatch, Quadrangulation, Settings, Triangulation, check, convert,
-    convert_list,
+    Algorithm, Augmentation, Conversion, Expansion, Mismatch, Quadrangulation, Settings,
+    Triangulation, check, check_retriangulation, convert, convert_list, convert_timed,
 };
 use triquad_generators::{Surface, classic, grids};
 
 fn all_settings(seed: u64) -> impl Iterator<Item = Settings> {
-    let pairs = Algorithm::ALL.into_iter().flat_map(|a| Augmentation::ALL.map(|b| (a, b)));
+    let all = Algorithm::ALL.into_iter().chain([Algorithm::Lrs(Expansion::FewFlips)]);
+    let pairs = all.flat_map(|a| Augmentation::ALL.map(|b| (a, b)));
     pairs.map(move |(algorithm, augmentation)| Settings { algorithm, augmentation, seed })
 }
 
@@ -28,12 +31,13 @@ fn corners(quadrangulation: &Quadrangulation) -> Vec<[u32; 4]> {
 
 /// The definition, with hash maps: every quad is two triangles across an edge, each used once, and
 /// the quads close up, oriented, with one fan round every vertex.
-fn assert_quadrangulation(surface: &Surface, quads: &[[u32; 4]]) {
+fn assert_quadrangulation(triangles: &FaceList, quads: &[[u32; 4]]) {
     let turned = |t: [u32; 3]| {
         let least = (0..3).min_by_key(|&i| t[i]).unwrap();
         [t[least], t[(least + 1) % 3], t[(least + 2) % 3]]
     };
-    let mut left: HashSet<[u32; 3]> = surface.triangles.iter().copied().map(turned).collect();
+    let mut left: HashSet<[u32; 3]> =
+        triangles.faces.corners().as_chunks().0.iter().copied().map(turned).collect();
     for &[a, b, c, d] in quads {
         let cuts = [[[a, b, c], [c, d, a]], [[b, c, d], [d, a, b]]].map(|cut| cut.map(turned));
         let cut = cuts.iter().find(|cut| cut.iter().all(|t| left.contains(t)));
@@ -70,17 +74,39 @@ fn assert_quadrangulation(surface: &Surface, quads: &[[u32; 4]]) {
     }
 }
 
+/// The triangles that were paired triangulate the surface of the input and have all its edges but
+/// those flipped; few of them are left for the augmentation if the algorithm promises so.
+fn assert_same_surface(
+    conversion: &Conversion<'_>,
+    input: &Triangulation,
+    paired: &FaceList,
+    list: &FaceList,
+) {
+    let rebuilt = Triangulation::build(paired).expect("a triangulation");
+    assert_eq!(rebuilt, *conversion.triangulation);
+    assert_eq!(check_retriangulation(paired, list), Ok(()));
+    let edges = |t: &Triangulation| -> HashSet<_> {
+        let sides = t.triangles().flat_map(|f| f.half_edges());
+        sides.map(|h| [t.origin(h), t.origin(h.next())]).collect()
+    };
+    let new = edges(&rebuilt).difference(&edges(input)).count();
+    assert_eq!(new, 2 * conversion.edge_flips);
+}
+
 fn assert_converts(surface: &Surface, settings: &Settings) {
     let list = common::face_list(surface);
     let triangulation = Triangulation::build(&list).unwrap();
-    let quads = corners(&convert(&triangulation, settings));
-    assert_quadrangulation(surface, &quads);
+    let conversion = convert_timed(&triangulation, settings, &SteppingClock::new(1.0), &mut ());
+    let quads = corners(&conversion.quadrangulation);
+    let paired = FaceList { faces: conversion.triangulation.faces(), ..list.clone() };
+    assert_quadrangulation(&paired, &quads);
+    assert_same_surface(&conversion, &triangulation, &paired, &list);
     let degree_two = {
         let mut degree = vec![0; surface.positions.len()];
         quads.iter().flatten().for_each(|&v| degree[v as usize] += 1);
         degree.iter().filter(|&&degree| degree == 2).count()
     };
-    let report = check(&with_quads(&list, quads), &list).unwrap();
+    let report = check(&with_quads(&list, quads), &paired).unwrap();
     assert_eq!(report.degree_two_vertices, degree_two);
     assert_eq!(report.euler_characteristic, triangulation.euler_characteristic());
     assert_eq!(report.vertices, triangulation.vertex_count());
@@ -114,6 +140,46 @@ fn a_seed_fixes_the_result_and_another_changes_it() {
         let different: HashSet<_> = (0..5).map(quads).collect();
         assert_eq!(different.len(), if draws { 5 } else { 1 }, "{algorithm}");
     }
+}
+
+#[test]
+fn contraction_and_expansion_leave_few_unpaired() {
+    for (genus, surface) in common::many_surfaces(60) {
+        let triangulation = Triangulation::build(&common::face_list(&surface)).unwrap();
+        for expansion in Expansion::ALL {
+            let pairing = lrs(&triangulation, expansion);
+            let unpaired = pairing.matching.unpaired_count();
+            assert!(unpaired >= 4 && unpaired <= (56 * genus).saturating_sub(12).max(4));
+        }
+    }
+    let two = common::beside(&classic::seven_vertex_torus(), &grids::sphere(5));
+    let triangulation = Triangulation::build(&common::face_list(&two)).unwrap();
+    let pairing = lrs(&triangulation, Expansion::Printed);
+    assert_eq!(pairing.matching.unpaired_count(), 14 + 4, "components add up");
+}
+
+#[test]
+fn a_retriangulation_has_the_same_components_on_the_same_vertices() {
+    let list = |surface: &Surface| common::face_list(surface);
+    let (torus, sphere) = (grids::torus(5, 4), grids::sphere(3));
+    let given = list(&common::beside(&torus, &sphere));
+    let changed = |change: &dyn Fn(&mut Vec<[u32; 3]>)| {
+        let mut triangles = given.faces.corners().as_chunks().0.to_vec();
+        change(&mut triangles);
+        let other = FaceList::from_triangles(given.positions.clone(), triangles);
+        check_retriangulation(&other, &given)
+    };
+    assert_eq!(changed(&|_| ()), Ok(()));
+    let half = torus.triangles.len();
+    assert_eq!(changed(&|all| all.truncate(half)), Err(Mismatch::VertexUse(20)));
+    let missing = changed(&|all| all.truncate(all.len() - 1));
+    assert!(matches!(missing, Err(Mismatch::Component(20))));
+    let bridged = changed(&|all| all[0] = [0, 1, 25]);
+    assert!(matches!(bridged, Err(Mismatch::Component(0))));
+    assert_eq!(changed(&|all| all[3][1] = 999), Err(Mismatch::BadTriangle(3)));
+    let mut moved = given.clone();
+    moved.positions[2][0] += 1.0;
+    assert_eq!(check_retriangulation(&moved, &given), Err(Mismatch::Moved(2)));
 }
 
 #[test]

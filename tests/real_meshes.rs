@@ -10,10 +10,14 @@ use std::path::{Path, PathBuf};
 use triquad::clock::SystemClock;
 use triquad::irreducible::{Method, Order};
 use triquad::mesh::{self, FaceList};
+use triquad::pairing::lrs;
 use triquad::random::Random;
 use triquad::simplify::{Shape, Simplifier};
 use triquad::triangulation::{HalfEdgeId, Id, LinkMarks, ShrinkingTriangulation};
-use triquad::{Algorithm, Law, Settings, Summary, Survey, Triangulation, check, convert_list};
+use triquad::{
+    Algorithm, ConvertedMesh, Expansion, Law, Settings, Summary, Survey, Triangulation, check,
+    check_retriangulation, convert_mesh,
+};
 
 /// The folder of real meshes and what its catalogue says of each.
 struct Catalogue {
@@ -102,13 +106,17 @@ fn quoted_fields_are_read() {
 /// Converts with `settings` and checks the result against `triangles`.
 fn converted(triangles: &FaceList, flip_faces: bool, settings: &Settings, what: &str) -> Summary {
     let clock = SystemClock::default();
-    let result = convert_list(triangles.clone(), flip_faces, settings, &clock, &mut ());
-    let (quads, summary) = result.unwrap_or_else(|error| panic!("{what}: {error}"));
+    let result = convert_mesh(triangles.clone(), flip_faces, settings, &clock, &mut ());
+    let converted = result.unwrap_or_else(|error| panic!("{what}: {error}"));
+    let ConvertedMesh { quads, triangles: paired, summary } = converted;
     let mut oriented = triangles.clone();
     if flip_faces {
         Survey::of(triangles).orient(&mut oriented);
     }
-    let report = check(&quads, &oriented).unwrap_or_else(|mismatch| panic!("{what}: {mismatch}"));
+    let paired = FaceList { faces: paired, ..oriented.clone() };
+    assert_eq!(paired.faces == oriented.faces, summary.edge_flips == 0, "{what}");
+    assert_eq!(check_retriangulation(&paired, &oriented), Ok(()), "{what}");
+    let report = check(&quads, &paired).unwrap_or_else(|mismatch| panic!("{what}: {mismatch}"));
     assert_eq!(2 * report.quads, triangles.faces.len(), "{what}");
     summary
 }
@@ -137,6 +145,23 @@ fn every_closed_mesh_is_converted_by_every_algorithm() {
             assert_eq!(counts, expected, "{what}");
             assert_eq!(summary.components, 1, "{what}");
         }
+    }
+}
+
+#[test]
+fn expansion_leaves_as_many_unpaired_as_the_irreducible_triangulation_has() {
+    let Some(catalogue) = Catalogue::open() else { return };
+    for entry in catalogue.in_folder("closed") {
+        let triangulation = Triangulation::build(&catalogue.read(entry.file())).unwrap();
+        let irreducible =
+            Method::RamaswamiSiqueira.reduce(triangulation.clone(), Order::File, 0).triangulation;
+        let pairing = lrs(&triangulation, Expansion::Printed);
+        let unpaired = pairing.matching.unpaired_count();
+        assert_eq!(unpaired, irreducible.triangle_count(), "{}", entry.file());
+        let genus = entry.count("genus");
+        assert!(unpaired >= 4 && unpaired <= (56 * genus).saturating_sub(12).max(4));
+        let flips = 100.0 * pairing.edge_flips as f64 / triangulation.edge_count() as f64;
+        println!("{}: {unpaired} unpaired, {flips:.2} % of the edges flipped", entry.file());
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use triquad::check;
+use triquad::{check, check_retriangulation};
 
 use super::input::{self, Repairs};
 use super::progress::StatusLine;
@@ -22,6 +22,11 @@ pub struct Arguments {
     /// The triangle mesh that it was made from
     #[arg(long, value_name = "TRIANGLES")]
     against: PathBuf,
+    /// The triangulation whose triangles were paired, as convert --write-triangulation writes it, if
+    /// it is not TRIANGLES: the quads are checked against it, and it must triangulate the surface of
+    /// TRIANGLES on the same vertices
+    #[arg(long, value_name = "K")]
+    triangulation: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
 }
@@ -31,8 +36,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let status = StatusLine::new("reading the meshes");
     let quads = input::read(&arguments.quads)?;
     let (triangles, _) = input::read_triangulation(&arguments.against, arguments.repairs)?;
+    let paired = match &arguments.triangulation {
+        Some(path) => {
+            let (paired, _) = input::read_triangulation(path, arguments.repairs)?;
+            status.say("checking");
+            check_retriangulation(&paired, &triangles)
+                .map_err(|mismatch| Failure::no(format!("{}: {mismatch}", path.display())))?;
+            paired
+        }
+        None => triangles,
+    };
     status.say("checking");
-    let report = check(&quads, &triangles);
+    let report = check(&quads, &paired);
     drop(status);
     let name = arguments.quads.display();
     let report = report.map_err(|mismatch| Failure::no(format!("{name}: {mismatch}")))?;
@@ -40,7 +55,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         "{name}: ok: {} quads on the {} vertices of {}, {} of them of degree 2, Euler characteristic {}",
         report.quads,
         report.vertices,
-        arguments.against.display(),
+        arguments.triangulation.as_ref().unwrap_or(&arguments.against).display(),
         report.degree_two_vertices,
         report.euler_characteristic,
     ))

@@ -4,7 +4,11 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
-use triquad::{Algorithm, Augmentation, ConvertError, Settings, Summary, convert_list};
+use triquad::quadrangulation::quality::{CLASSES, Quality};
+use triquad::{
+    Algorithm, Augmentation, ConvertError, ConvertedMesh, Expansion, Settings, Summary,
+    convert_mesh,
+};
 
 use super::input::{self, Repairs};
 use super::progress::StatusLine;
@@ -30,9 +34,13 @@ pub struct Arguments {
     output: Option<PathBuf>,
     /// How triangles are paired at first:
     /// tq (ours, fastest), sg (simple greedy), ps (Pulli-Segal greedy), or, perfect straight away,
-    /// ds (Diks-Stanczyk) and gw (Gawrychowski-Wasylkiewicz, the faster of the two)
+    /// ds (Diks-Stanczyk) and gw (Gawrychowski-Wasylkiewicz, the faster of the two);
+    /// lrs (contraction and expansion) flips edges
     #[arg(long, default_value = "tq", value_name = "NAME", value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
+    /// How lrs expands: printed (as published) or few-flips (ours: undoes most of its flips)
+    #[arg(long, default_value = "printed", value_name = "NAME", value_parser = one_of(Expansion::ALL, Expansion::id))]
+    lrs_variant: Expansion,
     /// How the pairing is made perfect: local (ours) or tarjan (as published, slow on purpose)
     #[arg(long, default_value = "local", value_name = "NAME", value_parser = one_of(Augmentation::ALL, Augmentation::id))]
     augmentation: Augmentation,
@@ -42,8 +50,20 @@ pub struct Arguments {
     /// Write counts and times as JSON to FILE, '-' for standard output
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
+    /// Write the triangulation whose triangles were paired: that of the input, but for lrs
+    #[arg(long, value_name = "FILE")]
+    write_triangulation: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
+}
+
+impl Arguments {
+    fn algorithm(&self) -> Algorithm {
+        match self.algorithm {
+            Algorithm::Lrs(_) => Algorithm::Lrs(self.lrs_variant),
+            other => other,
+        }
+    }
 }
 
 /// The record of one conversion.
@@ -52,6 +72,8 @@ struct Stats<'a> {
     schema: &'static str,
     input: String,
     algorithm: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lrs_variant: Option<&'static str>,
     augmentation: &'static str,
     seed: u64,
     vertices: usize,
@@ -76,6 +98,10 @@ struct Stats<'a> {
     augmenting_path_length_mean: f64,
     augmenting_path_length_max: usize,
     augmentation_triangles_visited: usize,
+    quality_minimum: f64,
+    quality_mean: f64,
+    /// See [`Quality::histogram`].
+    quality_histogram: [usize; CLASSES],
     left_out: &'a [String],
 }
 
@@ -86,6 +112,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut targets = Targets::open(Paths {
         input: &arguments.input,
         output: arguments.output.as_deref(),
+        triangles: arguments.write_triangulation.as_deref(),
         stats: arguments.stats.as_deref(),
     })?;
     let (list, read_seconds) = clock.time(|| input::read(&arguments.input));
@@ -94,18 +121,26 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         list.triangulate();
     }
     let settings = Settings {
-        algorithm: arguments.algorithm,
+        algorithm: arguments.algorithm(),
         augmentation: arguments.augmentation,
         seed: arguments.seed,
     };
-    let converted = convert_list(list, arguments.repairs.orient, &settings, &clock, &mut status);
-    let (quads, summary) =
+    let converted = convert_mesh(list, arguments.repairs.orient, &settings, &clock, &mut status);
+    let ConvertedMesh { mut quads, triangles, summary } =
         converted.map_err(|error| conversion_failure(&arguments.input, &error))?;
+    let quality = Quality::of(&quads);
     status.say("writing the quads");
     let (written, write_seconds) = clock.time(|| targets.write_mesh(&quads));
     written?;
+    if arguments.write_triangulation.is_some() {
+        status.say("writing the triangles");
+        quads.faces = triangles;
+        quads.attributes = None;
+        targets.write_triangles(&quads)?;
+    }
     drop(status);
-    let stats = stats(arguments, &summary, &quads.left_out, read_seconds, write_seconds);
+    let stats =
+        stats(arguments, &summary, &quality, &quads.left_out, [read_seconds, write_seconds]);
     targets.write_stats(&stats)?;
     // Not before success: a failure is told in one line.
     input::tell_left_out(&arguments.input, &quads.left_out);
@@ -122,14 +157,18 @@ fn conversion_failure(input: &Path, error: &ConvertError) -> Failure {
 fn stats<'a>(
     arguments: &Arguments,
     summary: &Summary,
+    quality: &Quality,
     left_out: &'a [String],
-    read_seconds: f64,
-    write_seconds: f64,
+    [read_seconds, write_seconds]: [f64; 2],
 ) -> Stats<'a> {
     Stats {
         schema: "triquad-convert-1",
         input: arguments.input.display().to_string(),
         algorithm: arguments.algorithm.id(),
+        lrs_variant: match arguments.algorithm {
+            Algorithm::Lrs(_) => Some(arguments.lrs_variant.id()),
+            _ => None,
+        },
         augmentation: arguments.augmentation.id(),
         seed: arguments.seed,
         vertices: summary.vertices,
@@ -154,6 +193,9 @@ fn stats<'a>(
         augmenting_path_length_mean: summary.augmentation.mean_length(),
         augmenting_path_length_max: summary.augmentation.longest,
         augmentation_triangles_visited: summary.augmentation.triangles_visited,
+        quality_minimum: quality.minimum,
+        quality_mean: quality.mean,
+        quality_histogram: quality.histogram,
         left_out,
     }
 }

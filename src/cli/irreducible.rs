@@ -115,6 +115,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut targets = Targets::open(Paths {
         input: &arguments.input,
         output: arguments.output.as_deref(),
+        triangles: None,
         stats: arguments.stats.as_deref(),
     })?;
     let (list, read_seconds) = clock.time(|| input::read(&arguments.input));

@@ -14,13 +14,16 @@ use super::{Failure, input, stdio};
 pub struct Paths<'a> {
     pub input: &'a Path,
     pub output: Option<&'a Path>,
+    /// A second mesh: triangles.
+    pub triangles: Option<&'a Path>,
     pub stats: Option<&'a Path>,
 }
 
-/// A mesh and statistics to be written.
+/// Meshes and statistics to be written.
 pub struct Targets<'a> {
     paths: Paths<'a>,
     mesh: Option<Output>,
+    triangles: Option<Output>,
     stats: Option<AtomicFile>,
 }
 
@@ -35,18 +38,19 @@ impl<'a> Targets<'a> {
         Ok(Self {
             paths,
             mesh: paths.output.map(open_mesh).transpose()?,
+            triangles: paths.triangles.map(open_mesh).transpose()?,
             stats: paths.stats.filter(|&path| !is_stdio(path)).map(open_stats).transpose()?,
         })
     }
 
     /// Writes the mesh, if it was asked for.
     pub fn write_mesh(&mut self, mesh: &FaceList) -> Result<(), Failure> {
-        match (self.mesh.take(), self.paths.output) {
-            (Some(output), Some(path)) => {
-                output.write(mesh).map_err(|error| input::mesh_failure(path, &error))
-            }
-            _ => Ok(()),
-        }
+        write_to(self.mesh.take(), self.paths.output, mesh)
+    }
+
+    /// Writes the triangles, if they were asked for.
+    pub fn write_triangles(&mut self, mesh: &FaceList) -> Result<(), Failure> {
+        write_to(self.triangles.take(), self.paths.triangles, mesh)
     }
 
     /// Writes the statistics as JSON, if they were asked for.
@@ -65,7 +69,8 @@ impl<'a> Targets<'a> {
 
     /// Says the summary where it does not mix with what was asked for on standard output.
     pub fn report(&self, line: &str) -> Result<(), Failure> {
-        if self.paths.output.is_some_and(is_stdio) || self.paths.stats.is_some_and(is_stdio) {
+        let Paths { output, triangles, stats, .. } = self.paths;
+        if [output, triangles, stats].into_iter().flatten().any(is_stdio) {
             stdio::complain(line);
             Ok(())
         } else {
@@ -74,25 +79,41 @@ impl<'a> Targets<'a> {
     }
 }
 
-/// Statistics may neither mix with the mesh nor replace it or the input.
+fn write_to(output: Option<Output>, path: Option<&Path>, mesh: &FaceList) -> Result<(), Failure> {
+    let (Some(output), Some(path)) = (output, path) else { return Ok(()) };
+    output.write(mesh).map_err(|error| input::mesh_failure(path, &error))
+}
+
+/// What is written may not mix, and statistics may not replace the input.
 fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
-    let Some(stats) = paths.stats else { return Ok(()) };
-    let same = |path: &Path| identity(path).is_some_and(|one| Some(one) == identity(stats));
-    if is_stdio(stats) {
-        return match paths.output {
-            Some(output) if output == stats => Err(Failure::bad(
-                "-o - and --stats - would mix on standard output; send one of them to a file"
-                    .into(),
-            )),
-            _ => Ok(()),
-        };
+    let same = |a: &Path, b: &Path| identity(a).is_some_and(|one| Some(one) == identity(b));
+    let Paths { output, triangles, stats, .. } = paths;
+    let options = [("-o", output), ("--write-triangulation", triangles), ("--stats", stats)];
+    let targets: Vec<_> =
+        options.into_iter().filter_map(|(option, path)| Some((option, path?))).collect();
+    for (i, &(option, one)) in targets.iter().enumerate() {
+        for &(other, path) in &targets[i + 1..] {
+            if is_stdio(one) && is_stdio(path) {
+                return Err(Failure::bad(format!(
+                    "{option} - and {other} - would mix on standard output; send one of them to a file"
+                )));
+            }
+            if !is_stdio(path) && same(one, path) {
+                return Err(overwritten(other, path));
+            }
+        }
     }
-    if same(paths.input) || paths.output.is_some_and(same) {
-        let problem =
-            "--stats would overwrite the mesh of the same name; give it a file of its own";
-        return Err(Failure::bad(format!("{}: {problem}", stats.display())));
+    match paths.stats {
+        Some(stats) if !is_stdio(stats) && same(paths.input, stats) => {
+            Err(overwritten("--stats", stats))
+        }
+        _ => Ok(()),
     }
-    Ok(())
+}
+
+fn overwritten(option: &str, path: &Path) -> Failure {
+    let problem = "would overwrite the mesh of the same name; give it a file of its own";
+    Failure::bad(format!("{}: {option} {problem}", path.display()))
 }
 
 /// The file that `path` means, whichever way there it takes.

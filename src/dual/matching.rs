@@ -60,6 +60,14 @@ impl Matching {
         self.unpaired -= 2;
     }
 
+    /// Undoes the pairing of two mates.
+    pub(crate) fn separate(&mut self, f: TriangleId, g: TriangleId) {
+        debug_assert!(self.mate[f] == g && self.mate[g] == f);
+        self.mate[f] = TriangleId::NONE;
+        self.mate[g] = TriangleId::NONE;
+        self.unpaired += 2;
+    }
+
     /// Number of triangles (paired or not).
     pub fn len(&self) -> usize {
         self.mate.len()

@@ -5,6 +5,7 @@
 //! [`Algorithm::ALL`].
 
 pub mod cubic;
+mod lrs;
 mod pulli_segal;
 mod simple_greedy;
 mod triquad;
@@ -16,6 +17,7 @@ use crate::random::Random;
 use crate::triangulation::Triangulation;
 
 pub use cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
+pub use lrs::{Expansion, lrs};
 pub use pulli_segal::pulli_segal;
 pub use simple_greedy::simple_greedy;
 pub use triquad::triquad;
@@ -31,6 +33,20 @@ pub struct InitialPairing<'t> {
     pub matching: Matching,
     /// Number of edges of `triangulation` that the input does not have.
     pub edge_flips: usize,
+}
+
+impl<'t> InitialPairing<'t> {
+    /// What `pair` makes of the triangles of `triangulation` itself.
+    fn of_input(
+        triangulation: &'t Triangulation,
+        pair: impl FnOnce(&mut DualGraph) -> Matching,
+    ) -> Self {
+        let mut dual = DualGraph::of(triangulation);
+        let matching = pair(&mut dual);
+        debug_assert!(matching.is_matching_of(&dual));
+        let triangulation = Cow::Borrowed(triangulation);
+        Self { triangulation, dual, matching, edge_flips: 0 }
+    }
 }
 
 /// An algorithm that pairs up triangles.
@@ -49,16 +65,19 @@ pub enum Algorithm {
     /// `gw`: Frink's reductions with a link-cut tree alone, in the spirit of Gawrychowski and
     /// Wasylkiewicz (2024). Perfect straight away; the seed is ignored.
     GawrychowskiWasylkiewicz,
+    /// `lrs`: contraction, and expansion with edge flips (section 3.3).
+    Lrs(Expansion),
 }
 
 impl Algorithm {
-    /// All algorithms there are.
-    pub const ALL: [Self; 5] = [
+    /// All algorithms there are, those with variants as published.
+    pub const ALL: [Self; 6] = [
         Self::Triquad,
         Self::SimpleGreedy,
         Self::PulliSegal,
         Self::DiksStanczyk,
         Self::GawrychowskiWasylkiewicz,
+        Self::Lrs(Expansion::Printed),
     ];
 
     /// The name on the command line and in records.
@@ -69,6 +88,7 @@ impl Algorithm {
             Self::PulliSegal => "ps",
             Self::DiksStanczyk => "ds",
             Self::GawrychowskiWasylkiewicz => "gw",
+            Self::Lrs(_) => "lrs",
         }
     }
 
@@ -80,22 +100,23 @@ impl Algorithm {
         triangulation: &'t Triangulation,
         random: &mut Random,
     ) -> InitialPairing<'t> {
-        let mut dual = DualGraph::of(triangulation);
-        let matching = match self {
-            Self::Triquad => triquad(&mut dual),
-            Self::SimpleGreedy => simple_greedy(&dual, random),
-            Self::PulliSegal => pulli_segal(&mut dual, Some(random)),
+        match self {
+            Self::Triquad => InitialPairing::of_input(triangulation, triquad),
+            Self::SimpleGreedy => {
+                InitialPairing::of_input(triangulation, |dual| simple_greedy(dual, random))
+            }
+            Self::PulliSegal => {
+                InitialPairing::of_input(triangulation, |dual| pulli_segal(dual, Some(random)))
+            }
             // A triangulation is closed, so its dual graph is cubic. It is bridgeless: the edge across
             // side ab is on the ring of triangles round a, and once only, as a and b differ.
-            Self::DiksStanczyk => diks_stanczyk(&dual).expect(LEGAL),
-            Self::GawrychowskiWasylkiewicz => gawrychowski_wasylkiewicz(&dual).expect(LEGAL),
-        };
-        debug_assert!(matching.is_matching_of(&dual));
-        InitialPairing {
-            triangulation: Cow::Borrowed(triangulation),
-            dual,
-            matching,
-            edge_flips: 0,
+            Self::DiksStanczyk => {
+                InitialPairing::of_input(triangulation, |dual| diks_stanczyk(dual).expect(LEGAL))
+            }
+            Self::GawrychowskiWasylkiewicz => InitialPairing::of_input(triangulation, |dual| {
+                gawrychowski_wasylkiewicz(dual).expect(LEGAL)
+            }),
+            Self::Lrs(expansion) => lrs(triangulation, expansion),
         }
     }
 }

@@ -63,6 +63,9 @@ pub enum Mismatch {
     /// The quads round a vertex form more than one fan.
     #[error("the quads round vertex {} form several fans", .0 + 1)]
     Fans(usize),
+    /// A component has other vertices or another number of triangles.
+    #[error("the component of vertex {} has other vertices or another genus", .0 + 1)]
+    Component(usize),
     /// The Euler characteristics differ.
     #[error("the Euler characteristic is {quads}, that of the triangle mesh {triangles}")]
     EulerCharacteristic {
@@ -86,7 +89,7 @@ pub fn check(quads: &FaceList, triangles: &FaceList) -> Result<CheckReport, Mism
     check_faces(&quads.faces, &triangles.faces, triangles.positions.len())
 }
 
-fn check_positions(quads: &[[f64; 3]], triangles: &[[f64; 3]]) -> Result<(), Mismatch> {
+pub(super) fn check_positions(quads: &[[f64; 3]], triangles: &[[f64; 3]]) -> Result<(), Mismatch> {
     if quads.len() != triangles.len() {
         return Err(Mismatch::VertexCount { quads: quads.len(), triangles: triangles.len() });
     }
@@ -134,7 +137,7 @@ pub(crate) fn check_faces(
 const NONE: u32 = u32::MAX;
 
 /// The first face that has not `arity` corners below `vertices`.
-fn require_arity(faces: &Faces, arity: usize, vertices: usize) -> Result<(), usize> {
+pub(super) fn require_arity(faces: &Faces, arity: usize, vertices: usize) -> Result<(), usize> {
     let sound = |face: &[u32]| face.len() == arity && face.iter().all(|&v| (v as usize) < vertices);
     match faces.iter().position(|face| !sound(face)) {
         Some(face) => Err(face),

@@ -1,13 +1,17 @@
 //! The last stage: a quadrilateral for every pair of triangles (Lemos et al., section 2).
 
 mod check;
+pub mod quality;
+mod retriangulation;
 
 use crate::dual::PerfectMatching;
 use crate::mesh::{Attributes, FaceList, Faces, NO_INDEX, Section};
-use crate::triangulation::{HalfEdgeId, TriangleId, Triangulation, VertexId};
+use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexId};
 
 pub(crate) use check::check_faces;
 pub use check::{CheckReport, Mismatch, check};
+pub(crate) use retriangulation::check_retriangulated_faces;
+pub use retriangulation::check_retriangulation;
 
 /// A quadrangulation of the surface of a triangulation, on the same vertices.
 ///
@@ -59,33 +63,37 @@ impl Quadrangulation {
         Faces::uniform(4, self.corners.as_flattened().iter().map(|vertex| vertex.0).collect())
     }
 
-    /// What `triangles` attaches to its corners and faces, carried over to the quads.
+    /// What `list` attaches to its corners and faces, carried over to the quads.
     ///
-    /// A corner where both triangles meet takes the indices of the lower one; a quad belongs to the
-    /// sections of its lower triangle. `triangles` must be the face list of the triangulation whose
-    /// triangles were paired.
+    /// `paired` is the triangulation whose triangles were paired, and `input`, if it is another on the
+    /// same vertices, that of `list`. A corner where both triangles meet takes the indices of the lower
+    /// one; a quad belongs to the sections of its lower triangle. O(n).
     pub fn carry_attributes(
         &self,
-        triangulation: &Triangulation,
-        triangles: &FaceList,
+        paired: &Triangulation,
+        input: &Triangulation,
+        list: &FaceList,
     ) -> Option<Attributes> {
-        let given = triangles.attributes.as_deref()?;
+        let given = list.attributes.as_deref()?;
+        let corners = CornerFinder::new(input);
+        let sources: Vec<_> = self
+            .removed
+            .iter()
+            .flat_map(|&side| corner_sources(paired, side))
+            .map(|h| corners.find(h, paired.origin(h)))
+            .collect();
+        let carry = |indices: &[u32]| match indices {
+            [] => Vec::new(),
+            _ => sources.iter().map(|h| *indices.get(h.0 as usize).unwrap_or(&NO_INDEX)).collect(),
+        };
         Some(Attributes {
             texture_coordinates: given.texture_coordinates.clone(),
             normals: given.normals.clone(),
-            corner_texture: self.carry_corners(triangulation, &given.corner_texture),
-            corner_normal: self.carry_corners(triangulation, &given.corner_normal),
+            corner_texture: carry(&given.corner_texture),
+            corner_normal: carry(&given.corner_normal),
             sections: self.carry_sections(&given.sections),
             libraries: given.libraries.clone(),
         })
-    }
-
-    fn carry_corners(&self, triangulation: &Triangulation, given: &[u32]) -> Vec<u32> {
-        if given.is_empty() {
-            return Vec::new();
-        }
-        let sources = self.removed.iter().flat_map(|&side| corner_sources(triangulation, side));
-        sources.map(|h| given.get(h.0 as usize).copied().unwrap_or(NO_INDEX)).collect()
     }
 
     fn carry_sections(&self, given: &[Section]) -> Vec<Section> {
@@ -95,6 +103,31 @@ impl Quadrangulation {
             line: section.line.clone(),
         };
         given.iter().map(carry).collect()
+    }
+}
+
+/// Finds the corners of a triangulation that a corner of another, made from it by flips, may be.
+struct CornerFinder<'t> {
+    input: &'t Triangulation,
+    /// For each vertex some half-edge that leaves it.
+    outgoing: IdVec<VertexId, HalfEdgeId>,
+}
+
+impl<'t> CornerFinder<'t> {
+    fn new(input: &'t Triangulation) -> Self {
+        let mut outgoing = IdVec::filled(HalfEdgeId::NONE, input.vertex_id_count());
+        for h in input.triangles().flat_map(TriangleId::half_edges) {
+            outgoing[input.origin(h)] = h;
+        }
+        Self { input, outgoing }
+    }
+
+    /// The corner at `vertex` that is `h`, or of the same triangle, or of one beside it, or any.
+    fn find(&self, h: HalfEdgeId, vertex: VertexId) -> HalfEdgeId {
+        let own = [h, h.next(), h.prev()];
+        let beside = own.map(|side| self.input.twin(side).prev());
+        let is_at_vertex = |&h: &HalfEdgeId| self.input.origin(h) == vertex;
+        own.into_iter().chain(beside).find(is_at_vertex).unwrap_or(self.outgoing[vertex])
     }
 }
 

@@ -243,6 +243,17 @@ impl ShrinkingTriangulation {
         self.far_spokes(receipt.0)
     }
 
+    /// The triangulation that it began as, when every contraction has been undone. O(n).
+    ///
+    /// # Panics
+    /// In debug builds, if a contraction has not been undone.
+    pub fn into_triangulation(self) -> Triangulation {
+        let Self { origin, twin, star, vertices, components } = self;
+        debug_assert!(star.as_slice().iter().all(|v| v.outgoing.some().is_some() || v.degree == 0));
+        let unreferenced = star.len() - vertices;
+        Triangulation { origin, twin, vertices: star.len(), unreferenced, components }
+    }
+
     /// The vertices that are left, in order, and the triangulation that they and the triangles that
     /// are left form, both renumbered in order. O(n + m log m) for m triangles left.
     pub fn survivors(&self) -> (Vec<VertexId>, Triangulation) {

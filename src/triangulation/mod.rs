@@ -7,12 +7,16 @@
 mod build;
 mod contraction;
 mod euler;
+mod flip;
 mod ids;
 mod laws;
 mod star;
 mod survey;
 
+use crate::mesh::Faces;
+
 pub use contraction::{LinkMarks, ShrinkingTriangulation, VertexSplit};
+pub use flip::FlippedTriangulation;
 pub use ids::{HalfEdgeId, Id, IdVec, TriangleId, VertexId};
 pub use laws::{Element, Law, Violation};
 pub use star::Spokes;
@@ -47,6 +51,11 @@ impl Triangulation {
     /// The three corners of triangle `f`, counter-clockwise.
     pub fn corners(&self, f: TriangleId) -> [VertexId; 3] {
         f.half_edges().map(|h| self.origin[h])
+    }
+
+    /// The corners of all triangles as faces over the vertices. O(n).
+    pub fn faces(&self) -> Faces {
+        Faces::uniform(3, self.origin.as_slice().iter().map(|vertex| vertex.0).collect())
     }
 
     /// All triangles in file order.

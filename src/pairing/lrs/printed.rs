@@ -1,0 +1,191 @@
+//! Expansion as published (Algorithms 3.1 to 3.4): on the input triangulation 𝒯, with marks on its
+//! edges for the matching M and for flips.
+//!
+//! Departs from the printed text where that leaves things open or is wrong. Of the two edges that
+//! [u, x] becomes when it splits, the one at u stays in M. Flipped edges are also logged: 𝒦 cannot
+//! be told from the marks alone, as two flipped edges may share a triangle and then their order
+//! matters. And 𝒦 is made once, when all vertices are back.
+
+use super::Expanded;
+use crate::dual::{DualGraph, Matching};
+use crate::irreducible::Reduction;
+use crate::triangulation::{
+    FlippedTriangulation, HalfEdgeId, IdVec, ShrinkingTriangulation, VertexSplit,
+};
+
+/// Looks on while vertices come back; production looks away.
+pub(super) trait Observer: Sized {
+    /// A vertex has been expanded and its triangles have been paired.
+    fn expanded(&mut self, _run: &Run) {}
+}
+
+impl Observer for () {}
+
+/// What is known of an edge, on both its half-edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Mark {
+    /// It is in 𝒦, and not in M.
+    Free,
+    /// It is in M.
+    Matched,
+    /// 𝒦 has its flip in its stead.
+    Flipped,
+}
+
+/// The state of the expansion.
+pub(super) struct Run {
+    /// 𝒯, as far as it has been expanded.
+    pub(super) t: ShrinkingTriangulation,
+    pub(super) marks: IdVec<HalfEdgeId, Mark>,
+    /// The edges flipped, each by one half-edge, in the order of time; those whose marks say
+    /// otherwise have been flipped back.
+    pub(super) flips: Vec<HalfEdgeId>,
+}
+
+/// The half-edges round a vertex v that has come back to its vertex u, with the names of
+/// [`ShrinkingTriangulation`].
+///
+/// ```text
+///            x              triangle (h, a, b):  u -> v -> x
+///          / | \            triangle (hp, c, d): v -> u -> y
+///     tb /b  | a\ ta        before the split, tb and ta were the edge [u, x],
+///       u -h-- v                              tc and td were the edge [u, y]
+///     tc \c  | d/ td
+///          \ | /
+///            y
+/// ```
+struct Split {
+    h: HalfEdgeId,
+    a: HalfEdgeId,
+    d: HalfEdgeId,
+    ta: HalfEdgeId,
+    td: HalfEdgeId,
+    /// Whether [u, x] is in M, and [u, y].
+    matched: [bool; 2],
+}
+
+/// Expands all vertices, the last contracted first (Algorithm 3.1). O(n).
+pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
+    let Reduction { triangulation: t, splits, .. } = reduction;
+    let marks = IdVec::filled(Mark::Free, t.half_edge_id_count());
+    let mut run = Run { t, marks, flips: Vec::new() };
+    for split in splits.into_iter().rev() {
+        run.expand(split);
+        observer.expanded(&run);
+    }
+    run
+}
+
+impl Run {
+    /// Expands one vertex and pairs its triangles (Algorithm 3.1, lines 4 to 19).
+    fn expand(&mut self, split: VertexSplit) {
+        let e = self.split(split);
+        let v = self.t.destination(e.h);
+        let degree = self.t.degree(v);
+        if e.matched == [false; 2] {
+            self.match_edge(e.h);
+        } else if degree == 3 {
+            self.match_degree_three(&e);
+        } else if degree == 4 && !self.is_opposite_flipped(&e) {
+            self.match_degree_four(&e);
+        } else {
+            self.match_greater_degree(&e);
+        }
+    }
+
+    /// Splits vertices. The edges [u, x] and [u, y] keep their marks; [v, x] and [v, y] are new.
+    fn split(&mut self, split: VertexSplit) -> Split {
+        let h = split.half_edge();
+        let hp = self.t.twin(h);
+        let [a, b, c, d] = [h.next(), h.prev(), hp.next(), hp.prev()];
+        let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.t.twin(side));
+        let [ux, uy] = [tb, tc].map(|side| self.marks[side]);
+        debug_assert!(ux != Mark::Flipped && uy != Mark::Flipped, "edges that split are in 𝒦");
+        self.t.split(split);
+        self.marks[b] = ux;
+        self.marks[c] = uy;
+        self.marks[ta] = Mark::Free;
+        self.marks[td] = Mark::Free;
+        debug_assert!([h, hp, a, d].iter().all(|&side| self.marks[side] == Mark::Free));
+        Split { h, a, d, ta, td, matched: [ux, uy].map(|mark| mark == Mark::Matched) }
+    }
+
+    /// Algorithm 3.2. The paper has [x, y] flipped back whenever it is flipped; it is if and only if
+    /// both [u, x] and [u, y] are in M.
+    fn match_degree_three(&mut self, e: &Split) {
+        let xy = e.td.next();
+        let both = e.matched == [true; 2];
+        debug_assert_eq!(self.marks[xy] == Mark::Flipped, both);
+        if both {
+            self.set(xy, Mark::Matched);
+        } else if e.matched[0] {
+            self.match_edge(e.d);
+        } else {
+            self.match_edge(e.a);
+        }
+    }
+
+    /// Whether [x, z] or [y, z] is flipped, where z is the fourth neighbour of v.
+    fn is_opposite_flipped(&self, e: &Split) -> bool {
+        let xz = e.ta.next().next();
+        let yz = e.td.next();
+        [xz, yz].iter().any(|&side| self.marks[side] == Mark::Flipped)
+    }
+
+    /// Algorithm 3.3.
+    fn match_degree_four(&mut self, e: &Split) {
+        if e.matched == [true; 2] {
+            let vz = e.ta.next();
+            self.match_edge(vz);
+        } else {
+            self.match_greater_degree(e);
+        }
+    }
+
+    /// Algorithm 3.4.
+    fn match_greater_degree(&mut self, e: &Split) {
+        for (matched, side) in e.matched.into_iter().zip([e.a, e.d]) {
+            if matched {
+                self.set(side, Mark::Flipped);
+                self.flips.push(side);
+            }
+        }
+        self.match_edge(e.h);
+    }
+
+    fn match_edge(&mut self, h: HalfEdgeId) {
+        debug_assert!(self.marks[h] == Mark::Free, "a flipped edge is not in 𝒦");
+        self.set(h, Mark::Matched);
+    }
+
+    fn set(&mut self, h: HalfEdgeId, mark: Mark) {
+        self.marks[h] = mark;
+        self.marks[self.t.twin(h)] = mark;
+    }
+
+    /// The flips that have not been flipped back, in the order of time. An edge is flipped at most
+    /// once, when it is new, so that its mark is enough to tell.
+    pub(super) fn lasting_flips(&self) -> impl Iterator<Item = HalfEdgeId> {
+        self.flips.iter().copied().filter(|&h| self.marks[h] == Mark::Flipped)
+    }
+
+    /// 𝒦 and the matching of its triangles, when all vertices are back. O(n).
+    pub(super) fn finish(self) -> Expanded {
+        let flips: Vec<HalfEdgeId> = self.lasting_flips().collect();
+        let Self { t, marks, .. } = self;
+        let mut k = FlippedTriangulation::of(t.into_triangulation());
+        flips.iter().for_each(|&h| k.flip(h));
+        let mut matching = Matching::empty(k.triangulation().triangle_count());
+        for h in marks.ids().filter(|&h| marks[h] == Mark::Matched) {
+            let side = k.place(h);
+            let across = k.triangulation().twin(side);
+            if side < across {
+                matching.pair_unpaired(side.triangle(), across.triangle());
+            }
+        }
+        let triangulation = k.into_triangulation();
+        let dual = DualGraph::of(&triangulation);
+        Expanded { triangulation, dual, matching, edge_flips: flips.len() }
+    }
+}

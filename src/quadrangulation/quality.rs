@@ -1,0 +1,113 @@
+//! How well quads are shaped: the scaled Jacobian (Stimpson et al., *The Verdict Geometric Quality
+//! Library*, SAND2007-1751, metric 4.13), of which no rounding differs between machines.
+
+use crate::mesh::FaceList;
+
+/// Classes of equal width from -1 to 1 in [`Quality::histogram`].
+pub const CLASSES: usize = 20;
+
+/// The shapes of the quads of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quality {
+    /// The least scaled Jacobian; 0 if there is no quad.
+    pub minimum: f64,
+    /// The mean of all; 0 if there is no quad.
+    pub mean: f64,
+    /// Number of quads in each class: class i has those from i / 10 - 1 to (i + 1) / 10 - 1.
+    pub histogram: [usize; CLASSES],
+}
+
+impl Quality {
+    /// Measures all faces of four corners of `mesh`, which must exist. O(n).
+    pub fn of(mesh: &FaceList) -> Self {
+        let mut histogram = [0; CLASSES];
+        let (mut least, mut sum, mut count) = (f64::INFINITY, 0.0, 0);
+        for face in mesh.faces.iter() {
+            let Ok(&quad) = <&[u32; 4]>::try_from(face) else { continue };
+            let value = scaled_jacobian(quad.map(|v| mesh.positions[v as usize]));
+            let class = ((value + 1.0) * (CLASSES as f64 / 2.0)) as usize;
+            histogram[class.min(CLASSES - 1)] += 1;
+            least = least.min(value);
+            sum += value;
+            count += 1;
+        }
+        if count == 0 {
+            return Self { minimum: 0.0, mean: 0.0, histogram };
+        }
+        Self { minimum: least, mean: sum / f64::from(count), histogram }
+    }
+}
+
+/// The least over the corners of the sine of the angle there, as seen along the normal in the
+/// middle: 1 for rectangles, 0 where three corners are on a line, negative where a quad is not
+/// convex. 0 if the quad has no normal or a side no length.
+pub fn scaled_jacobian(corners: [[f64; 3]; 4]) -> f64 {
+    let [p, q, r, s] = corners;
+    let sides = [minus(q, p), minus(r, q), minus(s, r), minus(p, s)];
+    let normal = cross(minus(sides[0], sides[2]), minus(sides[1], sides[3]));
+    let at_corner = |k: usize| {
+        let (before, after) = (sides[(k + 3) % 4], sides[k]);
+        let scale = (dot(normal, normal) * dot(before, before) * dot(after, after)).sqrt();
+        if scale > 0.0 { dot(cross(before, after), normal) / scale } else { 0.0 }
+    };
+    // Rounding may take a right angle a little too far.
+    (0..4).map(at_corner).fold(1.0, f64::min).max(-1.0)
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Faces;
+
+    fn flat(corners: [[f64; 2]; 4]) -> [[f64; 3]; 4] {
+        corners.map(|[x, y]| [x, y, 7.0])
+    }
+
+    #[test]
+    fn known_shapes_have_known_values() {
+        let rectangle = flat([[0.0, 0.0], [5.0, 0.0], [5.0, 1.0], [0.0, 1.0]]);
+        let rhombus = flat([[0.0, 0.0], [5.0, 0.0], [8.0, 4.0], [3.0, 4.0]]);
+        let triangle = flat([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [0.0, 2.0]]);
+        let dart = flat([[0.0, 0.0], [4.0, 3.0], [0.0, 1.0], [-4.0, 3.0]]);
+        let collapsed = flat([[1.0, 1.0]; 4]);
+        assert_eq!(scaled_jacobian(rectangle), 1.0);
+        assert!((scaled_jacobian(rhombus) - 0.8).abs() < 1e-12);
+        assert_eq!(scaled_jacobian(triangle), 0.0);
+        assert!(scaled_jacobian(dart) < -0.7);
+        assert_eq!(scaled_jacobian(collapsed), 0.0);
+    }
+
+    #[test]
+    fn neither_first_corner_nor_size_nor_side_matters() {
+        let quad = [[0.0, 0.1, 0.2], [1.0, 0.0, -0.3], [1.1, 0.9, 0.4], [-0.2, 1.3, 0.0]];
+        let value = scaled_jacobian(quad);
+        let [p, q, r, s] = quad;
+        for same in [[q, r, s, p], [s, r, q, p], quad.map(|p| p.map(|x| 4.0 * x))] {
+            assert!((scaled_jacobian(same) - value).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn all_quads_are_counted_once() {
+        let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let faces = Faces::uniform(4, vec![0, 1, 2, 3, 0, 0, 0, 0]);
+        let quality = Quality::of(&FaceList { positions, faces, ..FaceList::default() });
+        let mut histogram = [0; CLASSES];
+        (histogram[19], histogram[10]) = (1, 1);
+        assert_eq!(quality, Quality { minimum: 0.0, mean: 0.5, histogram });
+        let none = Quality::of(&FaceList::default());
+        assert_eq!((none.minimum, none.mean), (0.0, 0.0));
+    }
+}

@@ -1,0 +1,71 @@
+//! Is one triangle mesh another triangulation of the same surface? From the two meshes alone.
+
+use super::check::{Mismatch, check_positions, require_arity};
+use crate::disjoint_sets::ParitySets;
+use crate::mesh::{FaceList, Faces};
+
+/// Checks that `triangles` triangulates the surface that `given` does, on the same vertices: each
+/// component has the same vertices and the same number of triangles, so the same genus.
+///
+/// Both must be triangulations, see [`Triangulation::build`](crate::Triangulation::build).
+///
+/// # Errors
+/// The first thing found that differs.
+///
+/// # Cost
+/// O(n log n), linear in practice; 26 bytes a vertex.
+pub fn check_retriangulation(triangles: &FaceList, given: &FaceList) -> Result<(), Mismatch> {
+    check_positions(&triangles.positions, &given.positions)?;
+    check_retriangulated_faces(&triangles.faces, &given.faces, given.positions.len())
+}
+
+/// Like [`check_retriangulation`], for meshes over the same `vertices` positions.
+///
+/// # Errors
+/// The first thing found that differs.
+pub(crate) fn check_retriangulated_faces(
+    triangles: &Faces,
+    given: &Faces,
+    vertices: usize,
+) -> Result<(), Mismatch> {
+    for faces in [triangles, given] {
+        require_arity(faces, 3, vertices).map_err(Mismatch::BadTriangle)?;
+    }
+    let [mut one, mut other] = [triangles, given].map(|faces| Components::of(faces, vertices));
+    for v in 0..vertices as u32 {
+        let [(root, _), (root_given, _)] = [&mut one, &mut other].map(|side| side.sets.find(v));
+        // That each root of one mesh is in the set of that of the other makes the sets equal.
+        let same_set = one.sets.find(root_given).0 == root && other.sets.find(root).0 == root_given;
+        if one.used[v as usize] != other.used[v as usize] {
+            return Err(Mismatch::VertexUse(v as usize));
+        }
+        if !same_set || one.triangles[root as usize] != other.triangles[root_given as usize] {
+            return Err(Mismatch::Component(v as usize));
+        }
+    }
+    Ok(())
+}
+
+/// The connected components of a mesh.
+struct Components {
+    sets: ParitySets,
+    used: Vec<bool>,
+    /// Number of triangles of each component, at its root.
+    triangles: Vec<u32>,
+}
+
+impl Components {
+    fn of(faces: &Faces, vertices: usize) -> Self {
+        let mut sets = ParitySets::new(vertices);
+        let mut used = vec![false; vertices];
+        for face in faces.iter() {
+            face.iter().for_each(|&v| used[v as usize] = true);
+            face.windows(2).for_each(|side| {
+                sets.join(side[0], side[1], false);
+            });
+        }
+        let mut triangles = vec![0; vertices];
+        faces.iter().for_each(|face| triangles[sets.find(face[0]).0 as usize] += 1);
+        Self { sets, used, triangles }
+    }
+}
