@@ -985,7 +985,7 @@ fn what_cannot_be_made_is_refused_with_the_minimum() {
     let workshop = Workshop::new();
     let line = workshop.fail("generate box --vertices 31 --holes 1 -o box.obj", 2);
     assert_contains(&line, &["at least 32 vertices, not 31"], "too small a box");
-    let line = workshop.fail("generate stand-in --vertices 8 --genus 2 -o no.obj --cache k", 2);
+    let line = workshop.fail("generate stand-in --vertices 8 --genus 2 -o no.obj --cache .", 2);
     assert_contains(&line, &["8 vertices wanted", "ask for more"], "too small a stand-in");
     let line = workshop.fail("generate box --vertices 100 -o box.xyz", 2);
     assert_contains(&line, &["box.xyz"], "an unknown format");
