@@ -19,6 +19,7 @@
 //! | [`simplify`] | fewer vertices, exactly as many as asked for, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |
 //! | `generate` | boxes, hierarchies and stand-ins, the papers' meshes by name (feature `generate`) | section 4 |
+//! | `experiment` | what is run and what is remembered of it (feature `experiment`) | section 4 |
 //! | `report` | pictures of meshes (feature `report`) | figures |
 //!
 //! A module uses only what stands above it. One type per stage is the proof that the stage before
@@ -32,6 +33,8 @@ pub mod convert;
 mod disjoint_sets;
 pub mod dual;
 pub mod dynamic;
+#[cfg(feature = "experiment")]
+pub mod experiment;
 #[cfg(feature = "generate")]
 pub mod generate;
 pub mod irreducible;

@@ -1,0 +1,10 @@
+//! Experiments: what is run, how, and what is remembered of it.
+//!
+//! Data flows one way: an experiment file becomes a plan, a plan becomes runs, a run becomes one row
+//! of `runs.csv`. Reports read those rows and nothing else.
+
+pub mod record;
+pub mod results;
+
+pub use record::{Outcome, RunRecord};
+pub use results::Results;
