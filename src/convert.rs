@@ -1,16 +1,20 @@
 //! The chain from triangles to quads, and the only readings of the clock.
 
 use std::borrow::Cow;
+use std::ops::ControlFlow;
 
 use crate::augmentation::{Augmentation, AugmentationStats, make_maximum};
 use crate::clock::{Clock, SystemClock};
+use crate::dual::{DualGraph, Matching};
 use crate::mesh::{FaceList, Faces};
-use crate::pairing::Algorithm;
+use crate::pairing::{Algorithm, InitialPairing};
 use crate::quadrangulation::{
     CheckReport, Mismatch, Quadrangulation, check_faces, check_retriangulated_faces,
 };
 use crate::random::Random;
 use crate::triangulation::{Survey, Triangulation};
+
+const PETERSEN: &str = "a bridgeless 3-regular graph has a perfect matching (Theorem 2.1)";
 
 /// How to convert.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,12 +46,14 @@ pub enum Stage {
     Checking,
 }
 
-/// Is told what a conversion does.
+/// Is told what a conversion does, and may stop it between two augmenting paths.
 pub trait Progress {
     /// A stage begins.
     fn stage(&mut self, _stage: Stage) {}
-    /// One more augmenting path has been found.
-    fn path_found(&mut self) {}
+    /// One more augmenting path has been found; whether to look for the next.
+    fn path_found(&mut self) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 }
 
 impl Progress for () {}
@@ -123,6 +129,9 @@ pub enum ConvertError {
     /// The result failed its check: a mistake of ours.
     #[error("the result failed its check, please report this: {0}")]
     Wrong(Mismatch),
+    /// [`Progress`] said to stop before the pairing was perfect: counts and times so far.
+    #[error("stopped after {} augmenting paths", .0.augmentation.paths)]
+    Stopped(Box<Summary>),
 }
 
 /// Converts a triangulation. O(k n) time in the worst case for k triangles left unpaired at first,
@@ -143,31 +152,82 @@ pub fn convert(triangulation: &Triangulation, settings: &Settings) -> Quadrangul
 }
 
 /// Like [`convert`], with counts and times.
+///
+/// # Panics
+/// If `progress` stops it: see [`pair`].
 pub fn convert_timed<'t>(
     triangulation: &'t Triangulation,
     settings: &Settings,
     clock: &impl Clock,
     progress: &mut dyn Progress,
 ) -> Conversion<'t> {
+    let paired = pair(triangulation, settings, clock, progress);
+    let perfect = paired.matching.certify(&paired.dual).expect(PETERSEN);
+    Conversion {
+        quadrangulation: Quadrangulation::new(&paired.triangulation, &perfect),
+        triangulation: paired.triangulation,
+        unpaired_triangles: paired.unpaired_triangles,
+        edge_flips: paired.edge_flips,
+        augmentation: paired.augmentation,
+        pairing_seconds: paired.pairing_seconds,
+        augmentation_seconds: paired.augmentation_seconds,
+    }
+}
+
+/// What both stages of a conversion lead to. Times are in seconds.
+#[derive(Clone, Debug)]
+pub struct Paired<'t> {
+    /// The triangulation whose triangles were paired.
+    pub triangulation: Cow<'t, Triangulation>,
+    /// Its dual graph.
+    pub dual: DualGraph,
+    /// The pairs: a perfect matching, unless the augmentation was stopped.
+    pub matching: Matching,
+    /// Whether it was stopped.
+    pub stopped: bool,
+    /// Column (c), see [`Conversion`].
+    pub unpaired_triangles: usize,
+    /// See [`Conversion`].
+    pub edge_flips: usize,
+    /// What the augmentation did.
+    pub augmentation: AugmentationStats,
+    /// Column (a), see [`Conversion`].
+    pub pairing_seconds: f64,
+    /// Column (d), as far as it went.
+    pub augmentation_seconds: f64,
+}
+
+/// Pairs triangles and augments until the pairing is perfect or `progress` says to stop: a few paths
+/// are enough for an estimate where the whole would take too long.
+pub fn pair<'t>(
+    triangulation: &'t Triangulation,
+    settings: &Settings,
+    clock: &impl Clock,
+    progress: &mut dyn Progress,
+) -> Paired<'t> {
     progress.stage(Stage::Pairing);
     let mut random = Random::stream(settings.seed, &[settings.algorithm.id()]);
     let (initial, pairing_seconds) =
         clock.time(|| settings.algorithm.pair(triangulation, &mut random));
-    let unpaired_triangles = initial.matching.unpaired_count();
+    let InitialPairing { triangulation, dual, matching, edge_flips } = initial;
+    let unpaired_triangles = matching.unpaired_count();
 
     progress.stage(Stage::Augmenting(unpaired_triangles / 2));
-    let on_path = &mut || progress.path_found();
-    let ((matching, augmentation), augmentation_seconds) = clock
-        .time(|| make_maximum(&initial.dual, initial.matching, settings.augmentation, on_path));
-    let perfect = matching.certify(&initial.dual);
-    let perfect =
-        perfect.expect("a bridgeless 3-regular graph has a perfect matching (Theorem 2.1)");
-
-    Conversion {
-        quadrangulation: Quadrangulation::new(&initial.triangulation, &perfect),
-        triangulation: initial.triangulation,
+    let mut stopped = false;
+    let on_path = &mut || {
+        let flow = progress.path_found();
+        stopped = flow.is_break();
+        flow
+    };
+    let ((matching, augmentation), augmentation_seconds) =
+        clock.time(|| make_maximum(&dual, matching, settings.augmentation, on_path));
+    Paired {
+        triangulation,
+        dual,
+        matching,
+        stopped,
         unpaired_triangles,
-        edge_flips: initial.edge_flips,
+        edge_flips,
         augmentation,
         pairing_seconds,
         augmentation_seconds,
@@ -204,7 +264,7 @@ pub fn convert_list(
 /// and times. With `flip_faces`, faces that disagree on orientation are flipped first.
 ///
 /// # Errors
-/// The input breaks a law.
+/// The input breaks a law, or `progress` stopped the augmentation.
 ///
 /// # Cost
 /// As for [`convert`]; at its peak about 100 bytes a triangle, the list included.
@@ -219,35 +279,40 @@ pub fn convert_mesh(
     let (built, build_seconds) =
         clock.time(|| Triangulation::build_oriented(&mut list, flip_faces));
     let triangulation = built.map_err(ConvertError::Refused)?;
-    let conversion = convert_timed(&triangulation, settings, clock, progress);
-
-    progress.stage(Stage::Checking);
-    let quads = conversion.quadrangulation.faces();
-    let flipped = match &conversion.triangulation {
-        Cow::Borrowed(_) => None,
-        Cow::Owned(flipped) => Some(flipped.faces()),
-    };
-    let (check, check_seconds) = clock.time(|| check_result(&quads, flipped.as_ref(), &list));
-    let summary = Summary {
+    let paired = pair(&triangulation, settings, clock, progress);
+    let mut summary = Summary {
         vertices: triangulation.vertex_count(),
         edges: triangulation.edge_count(),
         triangles: triangulation.triangle_count(),
         genus: triangulation.genus(),
         components: triangulation.component_count(),
-        unpaired_triangles: conversion.unpaired_triangles,
-        edge_flips: conversion.edge_flips,
-        augmentation: conversion.augmentation,
-        check: check.map_err(ConvertError::Wrong)?,
+        unpaired_triangles: paired.unpaired_triangles,
+        edge_flips: paired.edge_flips,
+        augmentation: paired.augmentation,
+        check: CheckReport::default(),
         build_seconds,
-        pairing_seconds: conversion.pairing_seconds,
-        augmentation_seconds: conversion.augmentation_seconds,
-        check_seconds,
+        pairing_seconds: paired.pairing_seconds,
+        augmentation_seconds: paired.augmentation_seconds,
+        check_seconds: 0.0,
     };
-    let attributes = conversion.quadrangulation.carry_attributes(
-        &conversion.triangulation,
-        &triangulation,
-        &list,
-    );
+    let perfect = match paired.matching.certify(&paired.dual) {
+        Ok(perfect) => perfect,
+        Err(_) if paired.stopped => return Err(ConvertError::Stopped(Box::new(summary))),
+        Err(_) => unreachable!("{PETERSEN}"),
+    };
+    let quadrangulation = Quadrangulation::new(&paired.triangulation, &perfect);
+    drop((perfect, paired.dual));
+
+    progress.stage(Stage::Checking);
+    let quads = quadrangulation.faces();
+    let flipped = match &paired.triangulation {
+        Cow::Borrowed(_) => None,
+        Cow::Owned(flipped) => Some(flipped.faces()),
+    };
+    let (check, check_seconds) = clock.time(|| check_result(&quads, flipped.as_ref(), &list));
+    summary.check = check.map_err(ConvertError::Wrong)?;
+    summary.check_seconds = check_seconds;
+    let attributes = quadrangulation.carry_attributes(&paired.triangulation, &triangulation, &list);
     let given = std::mem::replace(&mut list.faces, quads);
     list.cut_from.clear();
     list.attributes = attributes.map(Box::new);

@@ -50,8 +50,8 @@ pub mod triangulation;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum, make_perfect};
 pub use convert::{
-    Conversion, ConvertError, ConvertedMesh, Progress, Settings, Stage, Summary, convert,
-    convert_list, convert_mesh, convert_timed,
+    Conversion, ConvertError, ConvertedMesh, Paired, Progress, Settings, Stage, Summary, convert,
+    convert_list, convert_mesh, convert_timed, pair,
 };
 pub use dual::{DualGraph, Matching, PerfectMatching};
 pub use pairing::{Algorithm, Expansion};

@@ -5,6 +5,8 @@ mod common;
 use petgraph::algo::maximum_matching;
 use petgraph::graph::UnGraph;
 use proptest::prelude::*;
+use std::ops::ControlFlow;
+
 use triquad::pairing::{pulli_segal, simple_greedy};
 use triquad::random::Random;
 use triquad::triangulation::{Id, TriangleId};
@@ -57,8 +59,10 @@ fn assert_maximum(graph: &DualGraph, expected: usize) {
         for augmentation in Augmentation::ALL {
             let mut paths = 0;
             let unpaired = start.unpaired_count();
-            let (matching, stats) =
-                make_maximum(graph, start.clone(), augmentation, &mut || paths += 1);
+            let (matching, stats) = make_maximum(graph, start.clone(), augmentation, &mut || {
+                paths += 1;
+                ControlFlow::Continue(())
+            });
             assert!(matching.is_matching_of(graph), "{augmentation}");
             assert_eq!((graph.len() - matching.unpaired_count()) / 2, expected, "{augmentation}");
             assert_eq!((paths, 2 * paths), (stats.paths, unpaired - matching.unpaired_count()));
@@ -185,7 +189,9 @@ fn perfect_or_known(nodes: usize, edges: &Edges) -> usize {
     }
     let graph = DualGraph::from_edges(nodes, edges).unwrap();
     let (matching, _) =
-        make_maximum(&graph, Matching::empty(nodes), Augmentation::Tarjan, &mut || {});
+        make_maximum(&graph, Matching::empty(nodes), Augmentation::Tarjan, &mut || {
+            ControlFlow::Continue(())
+        });
     (nodes - matching.unpaired_count()) / 2
 }
 
@@ -239,7 +245,10 @@ fn long_ladders_need_long_paths() {
                 });
             }
             for augmentation in Augmentation::ALL {
-                let (matching, _) = make_maximum(&graph, shifted.clone(), augmentation, &mut || {});
+                let (matching, _) =
+                    make_maximum(&graph, shifted.clone(), augmentation, &mut || {
+                        ControlFlow::Continue(())
+                    });
                 assert_eq!(matching.unpaired_count(), 0);
             }
         }
@@ -257,7 +266,8 @@ fn a_path_through_a_blossom_and_back() {
         start.pair(TriangleId::new(a), TriangleId::new(b));
     }
     for augmentation in Augmentation::ALL {
-        let (matching, stats) = make_maximum(&graph, start.clone(), augmentation, &mut || {});
+        let (matching, stats) =
+            make_maximum(&graph, start.clone(), augmentation, &mut || ControlFlow::Continue(()));
         assert_eq!(
             (matching.unpaired_count(), stats.paths, stats.longest),
             (0, 1, 7),

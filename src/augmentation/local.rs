@@ -13,6 +13,8 @@
 //! fenced instead: nobody else enters them until no tree can grow any more, and then all start anew.
 //! Such a phase visits a triangle once at most and finds many paths.
 
+use std::ops::ControlFlow;
+
 use super::AugmentationStats;
 use super::forest::{Forest, Place, TreeId};
 use crate::dual::{DualGraph, Matching};
@@ -31,7 +33,7 @@ const PATIENCE: usize = 4;
 pub(super) fn augment(
     graph: &DualGraph,
     matching: &mut Matching,
-    on_path: &mut dyn FnMut(),
+    on_path: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> AugmentationStats {
     augment_with_patience(PATIENCE * graph.len(), graph, matching, on_path)
 }
@@ -41,7 +43,7 @@ fn augment_with_patience(
     patience: usize,
     graph: &DualGraph,
     matching: &mut Matching,
-    on_path: &mut dyn FnMut(),
+    on_path: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> AugmentationStats {
     let mut search = Search {
         graph,
@@ -52,8 +54,8 @@ fn augment_with_patience(
     };
     loop {
         let before = search.stats.paths;
-        search.run(matching, on_path);
-        if !search.fencing || search.stats.paths == before {
+        let stopped = search.run(matching, on_path).is_break();
+        if stopped || !search.fencing || search.stats.paths == before {
             break;
         }
         search.forest.fell_all();
@@ -73,12 +75,16 @@ struct Search<'g> {
 }
 
 impl Search<'_> {
-    /// Grows trees from all unpaired triangles until none can grow any more.
+    /// Grows trees from all unpaired triangles until none can grow any more or `on_path` says stop.
     ///
     /// Invariant: every neighbour of an outer triangle that is not listed in its tree, to be scanned,
     /// is in the same tree, and if outer in the same blossom. So when a round neither grows a tree nor
     /// finds a path, and no tree is fenced, the forest proves that the matching is maximum (Edmonds).
-    fn run(&mut self, matching: &mut Matching, on_path: &mut dyn FnMut()) {
+    fn run(
+        &mut self,
+        matching: &mut Matching,
+        on_path: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let mut trees: Vec<TreeId> =
             matching.unpaired().map(|root| self.forest.plant(root)).collect();
         let mut share = FIRST_SHARE;
@@ -86,12 +92,12 @@ impl Search<'_> {
             let before = (self.stats.paths, self.forest.visited());
             for &tree in &trees {
                 if self.forest.stands(tree) {
-                    self.grow(matching, tree, share, on_path);
+                    self.grow(matching, tree, share, on_path)?;
                 }
             }
             // A tree that was cut short by its share has grown by as much.
             if before == (self.stats.paths, self.forest.visited()) {
-                break;
+                return ControlFlow::Continue(());
             }
             trees.retain(|&tree| self.forest.stands(tree));
             share = share.saturating_mul(GROWTH);
@@ -104,21 +110,21 @@ impl Search<'_> {
         matching: &mut Matching,
         tree: TreeId,
         share: usize,
-        on_path: &mut dyn FnMut(),
-    ) {
+        on_path: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let enough = self.forest.visited() + share;
         self.forest.retry_barred(tree);
         while let Some(v) = self.forest.next_to_scan(tree) {
             if let Some((w, other)) = self.scan(matching, tree, v) {
                 self.stats.add_path(self.forest.augment(self.graph, matching, v, w));
                 [tree, other].into_iter().for_each(|tree| self.retire(tree));
-                on_path();
-                return;
+                return on_path();
             }
             if self.forest.visited() >= enough {
-                return;
+                break;
             }
         }
+        ControlFlow::Continue(())
     }
 
     fn retire(&mut self, tree: TreeId) {
@@ -194,11 +200,15 @@ mod tests {
         for nodes in (2..400).chain([3000, 5000]) {
             let graph = random_graph(nodes, 3 * nodes, &mut random);
             let mut published = Matching::empty(graph.len());
-            tarjan::augment(&graph, &mut published, &mut || {});
-            let free = augment(&graph, &mut Matching::empty(graph.len()), &mut || {});
+            tarjan::augment(&graph, &mut published, &mut || ControlFlow::Continue(()));
+            let free = augment(&graph, &mut Matching::empty(graph.len()), &mut || {
+                ControlFlow::Continue(())
+            });
             for patience in [0, 10, graph.len() / 2, graph.len()] {
                 let mut matching = Matching::empty(graph.len());
-                let stats = augment_with_patience(patience, &graph, &mut matching, &mut || {});
+                let stats = augment_with_patience(patience, &graph, &mut matching, &mut || {
+                    ControlFlow::Continue(())
+                });
                 assert!(matching.is_matching_of(&graph));
                 assert_eq!(matching.unpaired_count(), published.unpaired_count());
                 phases_differed |= stats != free;

@@ -8,6 +8,8 @@ mod local;
 mod single_tree;
 mod tarjan;
 
+use std::ops::ControlFlow;
+
 use crate::dual::{DualGraph, Matching, PerfectMatching};
 use crate::triangulation::TriangleId;
 use forest::Forest;
@@ -96,7 +98,7 @@ impl Rescue {
 
 /// Augments `matching` until no augmenting path is left: a maximum matching of `graph`.
 ///
-/// `on_path` is called after each path. O(k n α) time for k unpaired triangles, where `local`
+/// `on_path` is called after each path and may stop the search there. O(k n α) time for k unpaired triangles, where `local`
 /// usually needs little more than the neighbourhoods of those. 24 bytes a triangle, with `local`
 /// usually only for those that it visits.
 ///
@@ -106,7 +108,7 @@ pub fn make_maximum(
     graph: &DualGraph,
     mut matching: Matching,
     augmentation: Augmentation,
-    on_path: &mut dyn FnMut(),
+    on_path: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> (Matching, AugmentationStats) {
     assert_eq!(graph.len(), matching.len(), "the matching of another graph");
     debug_assert!(matching.is_matching_of(graph));
@@ -128,6 +130,10 @@ pub fn make_perfect(
     augmentation: Augmentation,
     on_path: &mut dyn FnMut(),
 ) -> (PerfectMatching, AugmentationStats) {
+    let on_path = &mut || {
+        on_path();
+        ControlFlow::Continue(())
+    };
     let (matching, stats) = make_maximum(graph, matching, augmentation, on_path);
     let perfect = matching.certify(graph);
     (perfect.expect("a bridgeless 3-regular graph has a perfect matching (Theorem 2.1)"), stats)

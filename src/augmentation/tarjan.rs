@@ -1,6 +1,8 @@
 //! Augmentation as published (Lemos et al., section 3.1, after Tarjan): for each path one
 //! breadth-first alternating tree from one unpaired triangle, all state set up anew.
 
+use std::ops::ControlFlow;
+
 use super::AugmentationStats;
 use super::forest::Forest;
 use super::single_tree::augment_from;
@@ -13,7 +15,7 @@ use crate::triangulation::TriangleId;
 pub(super) fn augment(
     graph: &DualGraph,
     matching: &mut Matching,
-    on_path: &mut dyn FnMut(),
+    on_path: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> AugmentationStats {
     let mut stats = AugmentationStats::default();
     let mut forest = Forest::new(graph.len());
@@ -25,7 +27,9 @@ pub(super) fn augment(
         forest.clear();
         if let Some(path) = augment_from(root, graph, &mut forest, matching, usize::MAX) {
             stats.add_path(path.length);
-            on_path();
+            if on_path().is_break() {
+                break;
+            }
         }
     }
     stats.triangles_visited = forest.visited();

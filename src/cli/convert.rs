@@ -7,7 +7,7 @@ use triquad::clock::{Clock, SystemClock};
 use triquad::quadrangulation::quality::{CLASSES, Quality};
 use triquad::{
     Algorithm, Augmentation, ConvertError, ConvertedMesh, Expansion, Settings, Summary,
-    convert_mesh,
+    convert_mesh, mesh::FaceList,
 };
 
 use super::input::{self, Repairs};
@@ -50,6 +50,9 @@ pub struct Arguments {
     /// Write counts and times as JSON to FILE, '-' for standard output
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
+    /// Give up after N augmenting paths, for estimates: nothing but counts and times comes of it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = ["output", "write_triangulation"])]
+    stop_after_paths: Option<u64>,
     /// Write the triangulation whose triangles were paired: that of the input, but for lrs
     #[arg(long, value_name = "FILE")]
     write_triangulation: Option<PathBuf>,
@@ -87,6 +90,8 @@ struct Stats<'a> {
     paired_percent: f64,
     edge_flips: usize,
     augmenting_paths: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stopped_after_paths: Option<usize>,
     read_seconds: f64,
     build_seconds: f64,
     pairing_seconds: f64,
@@ -98,11 +103,29 @@ struct Stats<'a> {
     augmenting_path_length_mean: f64,
     augmenting_path_length_max: usize,
     augmentation_triangles_visited: usize,
+    #[serde(flatten)]
+    quality: Option<Shapes>,
+    left_out: &'a [String],
+}
+
+/// How the quads are shaped.
+#[derive(Serialize)]
+struct Shapes {
     quality_minimum: f64,
     quality_mean: f64,
     /// See [`Quality::histogram`].
     quality_histogram: [usize; CLASSES],
-    left_out: &'a [String],
+}
+
+impl Shapes {
+    fn of(quads: &FaceList) -> Self {
+        let quality = Quality::of(quads);
+        Self {
+            quality_minimum: quality.minimum,
+            quality_mean: quality.mean,
+            quality_histogram: quality.histogram,
+        }
+    }
 }
 
 /// Reads, converts, checks, writes.
@@ -125,10 +148,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         augmentation: arguments.augmentation,
         seed: arguments.seed,
     };
+    status.stop_after(arguments.stop_after_paths.map_or(usize::MAX, |paths| paths as usize));
     let converted = convert_mesh(list, arguments.repairs.orient, &settings, &clock, &mut status);
+    if let Err(ConvertError::Stopped(summary)) = &converted {
+        drop(status);
+        let stats = stats(arguments, summary, None, &[], [read_seconds, 0.0]);
+        targets.write_stats(&stats)?;
+        return targets.report(&stopped_line(&stats));
+    }
     let ConvertedMesh { mut quads, triangles, summary } =
         converted.map_err(|error| conversion_failure(&arguments.input, &error))?;
-    let quality = Quality::of(&quads);
+    let quality = Shapes::of(&quads);
     status.say("writing the quads");
     let (written, write_seconds) = clock.time(|| targets.write_mesh(&quads));
     written?;
@@ -140,7 +170,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     drop(status);
     let stats =
-        stats(arguments, &summary, &quality, &quads.left_out, [read_seconds, write_seconds]);
+        stats(arguments, &summary, Some(quality), &quads.left_out, [read_seconds, write_seconds]);
     targets.write_stats(&stats)?;
     // Not before success: a failure is told in one line.
     input::tell_left_out(&arguments.input, &quads.left_out);
@@ -150,14 +180,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn conversion_failure(input: &Path, error: &ConvertError) -> Failure {
     match error {
         ConvertError::Refused(survey) => input::refusal(input, survey),
-        ConvertError::Wrong(_) => Failure::no(format!("{}: {error}", input.display())),
+        ConvertError::Wrong(_) | ConvertError::Stopped(_) => {
+            Failure::no(format!("{}: {error}", input.display()))
+        }
     }
 }
 
 fn stats<'a>(
     arguments: &Arguments,
     summary: &Summary,
-    quality: &Quality,
+    quality: Option<Shapes>,
     left_out: &'a [String],
     [read_seconds, write_seconds]: [f64; 2],
 ) -> Stats<'a> {
@@ -182,6 +214,7 @@ fn stats<'a>(
         paired_percent: summary.paired_percent(),
         edge_flips: summary.edge_flips,
         augmenting_paths: summary.augmentation.paths,
+        stopped_after_paths: quality.is_none().then_some(summary.augmentation.paths),
         read_seconds,
         build_seconds: summary.build_seconds,
         pairing_seconds: summary.pairing_seconds,
@@ -193,9 +226,7 @@ fn stats<'a>(
         augmenting_path_length_mean: summary.augmentation.mean_length(),
         augmenting_path_length_max: summary.augmentation.longest,
         augmentation_triangles_visited: summary.augmentation.triangles_visited,
-        quality_minimum: quality.minimum,
-        quality_mean: quality.mean,
-        quality_histogram: quality.histogram,
+        quality,
         left_out,
     }
 }
@@ -218,5 +249,23 @@ fn summary_line(arguments: &Arguments, stats: &Stats<'_>) -> String {
         100.0 - stats.paired_percent,
         stats.augmentation,
         stats.total_seconds,
+    )
+}
+
+fn stopped_line(stats: &Stats<'_>) -> String {
+    format!(
+        "{}: {} triangles (genus {}), no quads; {} left {} unpaired ({:.3} %), stopped after {} of {} \
+         augmenting paths by {}; paired in {:.3} s, augmented for {:.3} s",
+        stats.input,
+        stats.triangles,
+        stats.genus,
+        stats.algorithm,
+        stats.unpaired_triangles,
+        100.0 - stats.paired_percent,
+        stats.augmenting_paths,
+        stats.unpaired_triangles / 2,
+        stats.augmentation,
+        stats.pairing_seconds,
+        stats.augmentation_seconds,
     )
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use triquad::clock::{Clock, SystemClock};
-use triquad::generate::paper::{self, PaperMesh};
+use triquad::generate::paper::{self, PaperMesh, Scale};
 use triquad::generate::{BoxShape, Cache, GenerateError, Recipe};
 use triquad::mesh::Output;
 use triquad::simplify::Shape;
@@ -87,6 +87,9 @@ struct PaperArguments {
     /// The mesh
     #[arg(value_name = "NAME", value_parser = one_of(paper::ALL, |mesh| mesh.name))]
     mesh: PaperMesh,
+    /// How large: full, small (a twentieth) or demo (a hundredth)
+    #[arg(long, default_value = "full", value_name = "SCALE", value_parser = one_of(Scale::ALL, Scale::id))]
+    scale: Scale,
     #[command(flatten)]
     target: Target,
     #[command(flatten)]
@@ -121,7 +124,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             make(&recipe, genus, &wanted.target.output, wanted.cache.open())
         }
         Kind::Paper(wanted) => {
-            let PaperMesh { recipe, genus, .. } = wanted.mesh;
+            let PaperMesh { recipe, genus, .. } = wanted.mesh.at(wanted.scale);
             make(&recipe, genus, &wanted.target.output, wanted.cache.open())
         }
     }

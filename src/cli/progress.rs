@@ -1,5 +1,6 @@
 //! What is going on, on standard error when that is a terminal.
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -8,7 +9,11 @@ use triquad::{Progress, Stage};
 /// One line that says what is being done and, while paths are searched, how many are found.
 ///
 /// Hidden where standard error is no terminal; cleared when dropped.
-pub struct StatusLine(ProgressBar);
+pub struct StatusLine {
+    bar: ProgressBar,
+    /// Augmenting paths after which to stop.
+    paths_left: usize,
+}
 
 impl StatusLine {
     /// Shows `message`.
@@ -16,13 +21,18 @@ impl StatusLine {
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(Duration::from_millis(120));
         bar.set_message(message.to_owned());
-        Self(bar)
+        Self { bar, paths_left: usize::MAX }
+    }
+
+    /// Stops a conversion after so many augmenting paths.
+    pub fn stop_after(&mut self, paths: usize) {
+        self.paths_left = paths;
     }
 
     /// Shows another message.
     pub fn say(&self, message: &str) {
-        self.0.set_style(ProgressStyle::default_spinner());
-        self.0.set_message(message.to_owned());
+        self.bar.set_style(ProgressStyle::default_spinner());
+        self.bar.set_message(message.to_owned());
     }
 }
 
@@ -35,21 +45,23 @@ impl Progress for StatusLine {
             Stage::Augmenting(paths) => {
                 let template = "{spinner} augmenting paths: {pos} of {len} found, {eta} left";
                 if let Ok(style) = ProgressStyle::with_template(template) {
-                    self.0.set_style(style);
+                    self.bar.set_style(style);
                 }
-                self.0.reset();
-                self.0.set_length(paths as u64);
+                self.bar.reset();
+                self.bar.set_length(paths.min(self.paths_left) as u64);
             }
         }
     }
 
-    fn path_found(&mut self) {
-        self.0.inc(1);
+    fn path_found(&mut self) -> ControlFlow<()> {
+        self.bar.inc(1);
+        self.paths_left -= 1;
+        if self.paths_left == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
 impl Drop for StatusLine {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }

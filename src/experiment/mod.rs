@@ -3,8 +3,12 @@
 //! Data flows one way: an experiment file becomes a plan, a plan becomes runs, a run becomes one row
 //! of `runs.csv`. Reports read those rows and nothing else.
 
+pub mod data;
+pub mod job;
+pub mod plan;
 pub mod record;
 pub mod results;
+pub mod spec;
 
 pub use record::{Outcome, RunRecord};
 pub use results::Results;

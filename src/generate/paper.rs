@@ -16,6 +16,42 @@ pub struct PaperMesh {
     pub recipe: Recipe,
 }
 
+/// How large the papers' meshes are made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "experiment", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "experiment", serde(rename_all = "kebab-case"))]
+pub enum Scale {
+    /// As in the papers.
+    #[default]
+    Full,
+    /// A twentieth.
+    Small,
+    /// A hundredth.
+    Demo,
+}
+
+impl Scale {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Full, Self::Small, Self::Demo];
+
+    /// The name on the command line and in records.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Small => "small",
+            Self::Demo => "demo",
+        }
+    }
+
+    fn divisor(self) -> u32 {
+        match self {
+            Self::Full => 1,
+            Self::Small => 20,
+            Self::Demo => 100,
+        }
+    }
+}
+
 /// All shafts of the papers' boxes, 62 × 62.
 const SHAFTS: u32 = 3844;
 const A1: BoxShape = with_holes(2_097_150, 0);
@@ -103,6 +139,40 @@ pub fn named(name: &str) -> Option<PaperMesh> {
 }
 
 impl PaperMesh {
+    /// The mesh at `scale`: vertices, shafts and genus divided alike, a genus above 0 not to 0, a scan's
+    /// vertices not below 200.
+    pub fn at(mut self, scale: Scale) -> Self {
+        let divisor = scale.divisor();
+        let small_box = |shape: BoxShape| {
+            let shafts = (shape.cavities + shape.holes).div_ceil(divisor);
+            let holes = shape.holes.div_ceil(divisor);
+            BoxShape { vertices: shape.vertices / divisor, cavities: shafts - holes, holes }
+        };
+        // The smallest scans would lose all shape, and vertices enough for their genus.
+        let least = if matches!(self.recipe, Recipe::StandIn { .. }) { 200 } else { 0 };
+        self.vertices = (self.vertices / divisor).max(least.min(self.vertices));
+        self.genus = self.genus.div_ceil(divisor);
+        self.recipe = match self.recipe {
+            Recipe::Box(shape) => Recipe::Box(small_box(shape)),
+            Recipe::SimplifiedBox { of, .. } => {
+                Recipe::SimplifiedBox { of: small_box(of), vertices: self.vertices }
+            }
+            Recipe::StandIn { seed, .. } => {
+                Recipe::StandIn { vertices: self.vertices, genus: self.genus, seed }
+            }
+        };
+        self
+    }
+
+    /// What is told of the mesh as kind in records.
+    pub fn kind(&self) -> &'static str {
+        match self.recipe {
+            Recipe::Box(_) => "generated",
+            Recipe::SimplifiedBox { .. } => "simplified",
+            Recipe::StandIn { .. } => "stand-in",
+        }
+    }
+
     /// Number of edges by Euler's formula, 3 (vertices - 2 + 2 genus).
     pub fn edges(&self) -> u32 {
         3 * (self.vertices + 2 * self.genus - 2)
@@ -117,6 +187,21 @@ impl PaperMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_mesh_of_a_smaller_scale_can_be_made() {
+        for mesh in ALL.map(|mesh| mesh.at(Scale::Demo)) {
+            let list = mesh.recipe.make().unwrap_or_else(|error| panic!("{}: {error}", mesh.name));
+            let built = crate::Triangulation::build(&list).expect(mesh.name);
+            let counts = (built.vertex_count(), built.genus());
+            assert_eq!(counts, (mesh.vertices as usize, mesh.genus as usize), "{}", mesh.name);
+        }
+        for mesh in ALL {
+            assert_eq!(mesh.at(Scale::Full), mesh);
+            let Recipe::Box(shape) = mesh.at(Scale::Small).recipe else { continue };
+            assert_eq!(shape.cavities + shape.holes, 193, "{}", mesh.name);
+        }
+    }
 
     /// Edges and triangles as printed, where that row of the table is consistent with itself.
     #[test]

@@ -7,7 +7,7 @@
 use crate::mesh::{FaceList, Faces};
 
 /// What a quad mesh that passed the check looks like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CheckReport {
     /// Number of quads.
     pub quads: usize,
