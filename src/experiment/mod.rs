@@ -5,7 +5,10 @@
 
 pub mod data;
 pub mod job;
+pub mod journal;
+pub mod machine;
 pub mod plan;
+pub mod process;
 pub mod record;
 pub mod results;
 pub mod spec;

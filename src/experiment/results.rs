@@ -87,8 +87,12 @@ impl Results {
     fn take_rows(&mut self, text: &str) {
         let mut lines = text.lines();
         let Some(header) = lines.next() else { return };
+        let count = text.lines().count();
         for (i, line) in lines.enumerate() {
-            match parse_row(header, line) {
+            // A row cut off within its last number would look complete.
+            let cut_off = i + 2 == count && !text.ends_with('\n');
+            let row = if cut_off { Err("it is cut off".into()) } else { parse_row(header, line) };
+            match row {
                 Ok(record) => self.records.push(record),
                 Err(problem) => {
                     self.damaged.push(Damaged { line: i as u64 + 2, text: line.into(), problem });

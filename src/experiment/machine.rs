@@ -1,0 +1,118 @@
+//! Facts about the machine and the build that rows of results refer to.
+
+use std::io;
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+use sysinfo::System;
+
+use super::results::Facts;
+
+/// What is worth knowing of this machine and this program.
+pub fn facts() -> Facts {
+    let mut system = System::new();
+    system.refresh_memory();
+    system.refresh_cpu_all();
+    let cpu = system.cpus().first();
+    let gibibytes = |bytes: u64| format!("{:.1} GiB", bytes as f64 / f64::from(1 << 30));
+    let facts = [
+        ("processor", cpu.map(|cpu| cpu.brand().trim().to_owned())),
+        ("cores", Some(system.cpus().len().to_string())),
+        ("memory", Some(gibibytes(system.total_memory()))),
+        ("system", System::long_os_version()),
+        ("kernel", System::kernel_version()),
+        ("architecture", Some(System::cpu_arch())),
+        ("governor", governor()),
+        ("compiler", Some(format!("rustc {}", rustc_version_runtime::version()))),
+        ("profile", Some(if cfg!(debug_assertions) { "debug" } else { "release" }.into())),
+        ("program", Some(program())),
+        ("commit", commit()),
+    ];
+    facts.into_iter().filter_map(|(name, fact)| Some((name.to_owned(), fact?))).collect()
+}
+
+/// Name and version.
+pub fn program() -> String {
+    concat!("triquad ", env!("CARGO_PKG_VERSION")).into()
+}
+
+/// How many processes wait for a core, on average over the last minute.
+pub fn load() -> f64 {
+    System::load_average().one
+}
+
+/// A short name for `facts`, the same for equal ones.
+pub fn name_of(facts: &Facts) -> String {
+    let text: String = facts.iter().map(|(name, fact)| format!("{name}={fact}\n")).collect();
+    hexadecimal(&Sha256::digest(text))[..8].to_owned()
+}
+
+/// SHA-256 of a file, in hexadecimal digits.
+///
+/// # Errors
+/// It cannot be read.
+pub fn hash_of_file(path: &Path) -> io::Result<String> {
+    let mut hasher = Sha256::new();
+    let mut file = std::fs::File::open(path)?;
+    let mut buffer = vec![0; 1 << 16];
+    loop {
+        match io::Read::read(&mut file, &mut buffer)? {
+            0 => return Ok(hexadecimal(&hasher.finalize())),
+            read => hasher.update(&buffer[..read]),
+        }
+    }
+}
+
+/// SHA-256 of `words`, in 16 hexadecimal digits.
+pub fn hash_of_words(words: &[&str]) -> String {
+    let mut hasher = Sha256::new();
+    for word in words {
+        hasher.update(word);
+        // Which UTF-8 never uses.
+        hasher.update([0xff]);
+    }
+    hexadecimal(&hasher.finalize())[..16].to_owned()
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn governor() -> Option<String> {
+    let path = "/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor";
+    Some(std::fs::read_to_string(path).ok()?.trim().to_owned())
+}
+
+/// The commit that the sources are at, where they are still there.
+fn commit() -> Option<String> {
+    let mut git = std::process::Command::new("git");
+    git.args(["-C", env!("CARGO_MANIFEST_DIR"), "describe", "--always", "--dirty", "--abbrev=12"]);
+    let output = git.output().ok().filter(|output| output.status.success())?;
+    Some(String::from_utf8(output.stdout).ok()?.trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hashes_are_those_of_the_standard() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("abc");
+        std::fs::write(&path, "abc").unwrap();
+        let hash = hash_of_file(&path).unwrap();
+        assert_eq!(hash, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+        assert_ne!(hash_of_words(&["a", "bc"]), hash_of_words(&["ab", "c"]));
+        assert_eq!(hash_of_words(&["a"]).len(), 16);
+    }
+
+    #[test]
+    fn equal_facts_have_one_name() {
+        let facts = facts();
+        assert!(facts.contains_key("cores") && facts.contains_key("compiler"), "{facts:?}");
+        let mut other = facts.clone();
+        other.insert("cores".into(), "many".into());
+        assert_eq!(name_of(&facts), name_of(&facts.clone()));
+        assert_ne!(name_of(&facts), name_of(&other));
+    }
+}

@@ -1,0 +1,121 @@
+//! One run in a process of its own: fresh memory, a limit of time, a limit of memory.
+
+use std::ffi::OsString;
+use std::io;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use process_control::{ChildExt, Control, ExitStatus, Output};
+use serde_json::{Map, Value};
+
+use super::record::Outcome;
+use super::spec::Limits;
+
+/// Set for the processes of runs: they end with the process that started them.
+pub const RUN_VARIABLE: &str = "TRIQUAD_RUN";
+
+/// How a run's process ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ending {
+    /// In one word.
+    pub outcome: Outcome,
+    /// Why, where that is not `ok`.
+    pub reason: String,
+    /// What it printed as JSON.
+    pub stats: Map<String, Value>,
+}
+
+/// Runs `program` with `arguments`, whose standard output has to be one JSON object.
+///
+/// # Errors
+/// The process cannot be started or waited for.
+pub fn run(program: &Path, arguments: &[OsString], limits: Limits) -> io::Result<Ending> {
+    let mut command = Command::new(program);
+    command.args(arguments).env(RUN_VARIABLE, "1");
+    let child =
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
+    let control = child
+        .controlled_with_output()
+        .time_limit(Duration::from_secs(limits.timeout_seconds))
+        .terminate_for_timeout();
+    #[cfg(any(target_os = "linux", windows))]
+    let control = control.memory_limit(limits.memory_gigabytes as usize * 1_000_000_000);
+    let output = control.wait()?;
+    Ok(match output {
+        None => Ending::without_stats(
+            Outcome::Timeout,
+            format!("stopped after {} s", limits.timeout_seconds),
+        ),
+        Some(output) => Ending::of(&output),
+    })
+}
+
+impl Ending {
+    fn without_stats(outcome: Outcome, reason: String) -> Self {
+        Self { outcome, reason, stats: Map::new() }
+    }
+
+    fn of(output: &Output) -> Self {
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        let last_line = stderr.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default();
+        if output.status.success() {
+            return match serde_json::from_slice(&output.stdout) {
+                Ok(stats) => Self { outcome: Outcome::Ok, reason: String::new(), stats },
+                Err(error) => Self::without_stats(Outcome::Crash, format!("no record: {error}")),
+            };
+        }
+        let outcome = match output.status.code() {
+            _ if stderr.contains("memory allocation of") => Outcome::OutOfMemory,
+            // A check said no, or the mesh was refused.
+            Some(1 | 2) => Outcome::Invalid,
+            _ => Outcome::Crash,
+        };
+        Self::without_stats(outcome, reason(output.status, last_line))
+    }
+}
+
+/// In one line.
+fn reason(status: ExitStatus, last_line: &str) -> String {
+    let status = match status.code() {
+        Some(code) => format!("exit code {code}"),
+        None => status.to_string(),
+    };
+    let reason = format!("{status}: {last_line}");
+    reason.trim_end_matches(": ").split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    fn ending(script: &str, timeout_seconds: u64) -> Ending {
+        let arguments = ["-c".into(), script.into()];
+        let limits = Limits { timeout_seconds, memory_gigabytes: 1 };
+        run(Path::new("/bin/sh"), &arguments, limits).unwrap()
+    }
+
+    #[test]
+    fn every_ending_has_its_word() {
+        let ok = ending("echo '{\"vertices\": 4}'", 9);
+        assert_eq!((ok.outcome, &ok.stats["vertices"]), (Outcome::Ok, &Value::from(4)));
+        let outcome = |script, reason: &str| {
+            let ending = ending(script, 1);
+            assert!(ending.reason.contains(reason), "{}", ending.reason);
+            ending.outcome
+        };
+        assert_eq!(outcome("echo half", "no record"), Outcome::Crash);
+        assert_eq!(outcome("echo why >&2; exit 1", "exit code 1: why"), Outcome::Invalid);
+        assert_eq!(outcome("exit 101", "exit code 101"), Outcome::Crash);
+        assert_eq!(outcome("kill -9 $$", "signal"), Outcome::Crash);
+        let hungry = "echo 'memory allocation of 9 bytes failed' >&2; kill -6 $$";
+        assert_eq!(outcome(hungry, "memory"), Outcome::OutOfMemory);
+        assert_eq!(outcome("exec sleep 60", "stopped after 1 s"), Outcome::Timeout);
+    }
+
+    #[test]
+    fn everything_that_a_process_says_is_read() {
+        let long = ending("head -c 300000 /dev/zero | tr '\\0' x >&2; echo '{}'", 9);
+        assert_eq!(long.outcome, Outcome::Ok);
+    }
+}
