@@ -104,7 +104,7 @@ struct Target {
 }
 
 #[derive(Args)]
-struct CacheOption {
+pub struct CacheOption {
     /// Where meshes are kept that take long to make [default: 'triquad' in the user's folder for caches]
     #[arg(long, value_name = "DIR", env = "TRIQUAD_CACHE")]
     cache: Option<PathBuf>,
@@ -121,20 +121,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Kind::StandIn(wanted) => {
             let StandInArguments { vertices, genus, seed, .. } = *wanted;
             let recipe = Recipe::StandIn { vertices, genus, seed };
-            make(&recipe, genus, &wanted.target.output, wanted.cache.open())
+            make(&recipe, genus, &wanted.target.output, wanted.cache.folder().map(Cache::new))
         }
         Kind::Paper(wanted) => {
             let PaperMesh { recipe, genus, .. } = wanted.mesh.at(wanted.scale);
-            make(&recipe, genus, &wanted.target.output, wanted.cache.open())
+            make(&recipe, genus, &wanted.target.output, wanted.cache.folder().map(Cache::new))
         }
     }
 }
 
 impl CacheOption {
-    /// The cache, if there is a place for one.
-    fn open(&self) -> Option<Cache> {
+    /// Where the cache is, if there is a place for one.
+    pub fn folder(&self) -> Option<PathBuf> {
         let usual = || dirs::cache_dir().map(|folder| folder.join("triquad"));
-        self.cache.clone().or_else(usual).map(Cache::new)
+        self.cache.clone().or_else(usual)
     }
 }
 

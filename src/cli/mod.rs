@@ -5,12 +5,16 @@
 
 mod check;
 mod convert;
+mod experiments;
 mod generate;
 mod info;
 mod input;
 mod irreducible;
 mod machine;
+mod merge;
+mod plan;
 mod progress;
+mod run;
 mod simplify;
 mod stdio;
 mod targets;
@@ -46,6 +50,9 @@ enum Verb {
     Info(info::Arguments),
     Generate(generate::Arguments),
     Simplify(simplify::Arguments),
+    Plan(plan::Arguments),
+    Run(run::Arguments),
+    Merge(merge::Arguments),
 }
 
 /// Why a verb ends without success: an exit code and a line for standard error.
@@ -77,8 +84,19 @@ fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     })
 }
 
+/// A run of an experiment ends with the process that started it, even if that is killed.
+fn end_with_parent() {
+    #[cfg(target_os = "linux")]
+    if std::env::var_os(triquad::experiment::process::RUN_VARIABLE).is_some() {
+        use rustix::process::{Signal, set_parent_process_death_signal};
+        // Without it a run of a killed experiment ends when it is done.
+        let _ = set_parent_process_death_signal(Some(Signal::KILL));
+    }
+}
+
 /// Runs the verb that the arguments name.
 pub fn main() -> ExitCode {
+    end_with_parent();
     // An interrupted process leaves no half-written file; what is finished stays.
     let handler = || {
         triquad::atomic_file::abandon_all();
@@ -98,6 +116,9 @@ pub fn main() -> ExitCode {
         Verb::Info(arguments) => info::run(&arguments),
         Verb::Generate(arguments) => generate::run(&arguments),
         Verb::Simplify(arguments) => simplify::run(&arguments),
+        Verb::Plan(arguments) => plan::run(&arguments),
+        Verb::Run(arguments) => run::run(&arguments),
+        Verb::Merge(arguments) => merge::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

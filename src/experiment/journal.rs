@@ -79,7 +79,7 @@ impl Journal {
             return Err(error);
         }
         self.keys.insert(record.key.clone());
-        self.results.records.push(record);
+        self.results.push(record);
         Ok(())
     }
 
@@ -187,6 +187,7 @@ mod tests {
         RunRecord {
             schema: SCHEMA.into(),
             key: key.into(),
+            mesh: key.into(),
             reason: "one, \"two\"".into(),
             triangles: Some(8),
             pairing_seconds: Some(0.1 + 0.2),
@@ -235,7 +236,9 @@ mod tests {
     fn a_row_of_rubbish_in_the_middle_is_named() {
         let folder = tempfile::tempdir().unwrap();
         let mut journal = Journal::open(folder.path()).unwrap();
-        ["a", "b", "c"].map(|key| journal.append(record(key)).unwrap());
+        for key in ["a", "b", "c"] {
+            journal.append(record(key)).unwrap();
+        }
         let path = folder.path().join("runs.csv");
         let text = std::fs::read_to_string(&path).unwrap();
         let mut lines: Vec<&str> = text.lines().collect();

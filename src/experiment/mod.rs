@@ -4,13 +4,16 @@
 //! of `runs.csv`. Reports read those rows and nothing else.
 
 pub mod data;
+pub mod estimate;
 pub mod job;
 pub mod journal;
 pub mod machine;
+pub mod merge;
 pub mod plan;
 pub mod process;
 pub mod record;
 pub mod results;
+pub mod run;
 pub mod spec;
 
 pub use record::{Outcome, RunRecord};

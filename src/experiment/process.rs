@@ -7,7 +7,6 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use process_control::{ChildExt, Control, ExitStatus, Output};
-use serde_json::{Map, Value};
 
 use super::record::Outcome;
 use super::spec::Limits;
@@ -22,11 +21,11 @@ pub struct Ending {
     pub outcome: Outcome,
     /// Why, where that is not `ok`.
     pub reason: String,
-    /// What it printed as JSON.
-    pub stats: Map<String, Value>,
+    /// What it printed on standard output.
+    pub output: Vec<u8>,
 }
 
-/// Runs `program` with `arguments`, whose standard output has to be one JSON object.
+/// Runs `program` with `arguments`.
 ///
 /// # Errors
 /// The process cannot be started or waited for.
@@ -43,27 +42,23 @@ pub fn run(program: &Path, arguments: &[OsString], limits: Limits) -> io::Result
     let control = control.memory_limit(limits.memory_gigabytes as usize * 1_000_000_000);
     let output = control.wait()?;
     Ok(match output {
-        None => Ending::without_stats(
-            Outcome::Timeout,
-            format!("stopped after {} s", limits.timeout_seconds),
-        ),
-        Some(output) => Ending::of(&output),
+        None => {
+            Ending::bad(Outcome::Timeout, format!("stopped after {} s", limits.timeout_seconds))
+        }
+        Some(output) => Ending::of(output),
     })
 }
 
 impl Ending {
-    fn without_stats(outcome: Outcome, reason: String) -> Self {
-        Self { outcome, reason, stats: Map::new() }
+    fn bad(outcome: Outcome, reason: String) -> Self {
+        Self { outcome, reason, output: Vec::new() }
     }
 
-    fn of(output: &Output) -> Self {
+    fn of(output: Output) -> Self {
         let stderr = String::from_utf8_lossy(&output.stderr);
         let last_line = stderr.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default();
         if output.status.success() {
-            return match serde_json::from_slice(&output.stdout) {
-                Ok(stats) => Self { outcome: Outcome::Ok, reason: String::new(), stats },
-                Err(error) => Self::without_stats(Outcome::Crash, format!("no record: {error}")),
-            };
+            return Self { outcome: Outcome::Ok, reason: String::new(), output: output.stdout };
         }
         let outcome = match output.status.code() {
             _ if stderr.contains("memory allocation of") => Outcome::OutOfMemory,
@@ -71,7 +66,7 @@ impl Ending {
             Some(1 | 2) => Outcome::Invalid,
             _ => Outcome::Crash,
         };
-        Self::without_stats(outcome, reason(output.status, last_line))
+        Self::bad(outcome, reason(output.status, last_line))
     }
 }
 
@@ -97,14 +92,13 @@ mod tests {
 
     #[test]
     fn every_ending_has_its_word() {
-        let ok = ending("echo '{\"vertices\": 4}'", 9);
-        assert_eq!((ok.outcome, &ok.stats["vertices"]), (Outcome::Ok, &Value::from(4)));
+        let ok = ending("echo said", 9);
+        assert_eq!((ok.outcome, &ok.output[..]), (Outcome::Ok, &b"said\n"[..]));
         let outcome = |script, reason: &str| {
             let ending = ending(script, 1);
             assert!(ending.reason.contains(reason), "{}", ending.reason);
             ending.outcome
         };
-        assert_eq!(outcome("echo half", "no record"), Outcome::Crash);
         assert_eq!(outcome("echo why >&2; exit 1", "exit code 1: why"), Outcome::Invalid);
         assert_eq!(outcome("exit 101", "exit code 101"), Outcome::Crash);
         assert_eq!(outcome("kill -9 $$", "signal"), Outcome::Crash);

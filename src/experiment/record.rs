@@ -143,6 +143,15 @@ impl RunRecord {
         self.outcome == Outcome::Ok
     }
 
+    /// Whether `other` is a run of the same job on the same mesh for the same repetition.
+    pub fn is_same_run(&self, other: &Self) -> bool {
+        self.mesh == other.mesh
+            && (&self.algorithm, &self.lrs_variant, &self.augmentation, &self.order)
+                == (&other.algorithm, &other.lrs_variant, &other.augmentation, &other.order)
+            && (self.repetition, &self.scale, &self.experiment, &self.group)
+                == (other.repetition, &other.scale, &other.experiment, &other.group)
+    }
+
     /// Whether the augmentation was stopped before the pairing was perfect.
     pub fn is_extrapolated(&self) -> bool {
         self.stopped_after_paths.is_some()

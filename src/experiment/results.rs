@@ -83,6 +83,14 @@ impl Results {
         Ok(results)
     }
 
+    /// Adds a row; of a run that was done before, by another program perhaps, it takes the place.
+    pub fn push(&mut self, record: RunRecord) {
+        match self.records.iter_mut().find(|other| other.is_same_run(&record)) {
+            Some(before) => *before = record,
+            None => self.records.push(record),
+        }
+    }
+
     /// Takes each line for itself, so that a damaged one spoils no other. No field holds a line break.
     fn take_rows(&mut self, text: &str) {
         let mut lines = text.lines();
@@ -93,7 +101,7 @@ impl Results {
             let cut_off = i + 2 == count && !text.ends_with('\n');
             let row = if cut_off { Err("it is cut off".into()) } else { parse_row(header, line) };
             match row {
-                Ok(record) => self.records.push(record),
+                Ok(record) => self.push(record),
                 Err(problem) => {
                     self.damaged.push(Damaged { line: i as u64 + 2, text: line.into(), problem });
                 }
