@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 use triquad::Triangulation;
 use triquad::clock::{Clock, SystemClock};
-use triquad::irreducible::{Irreducible, Method, Order};
+use triquad::irreducible::{Irreducible, Method, Order, check_irreducible};
 use triquad::mesh::FaceList;
 use triquad::triangulation::{Id, VertexId};
 
@@ -59,6 +59,7 @@ struct Stats {
     edges: usize,
     triangles: usize,
     genus: usize,
+    components: usize,
     result_vertices: usize,
     result_edges: usize,
     result_triangles: usize,
@@ -68,6 +69,7 @@ struct Stats {
     read_seconds: f64,
     build_seconds: f64,
     seconds: f64,
+    check_seconds: f64,
     peak_memory_bytes: Option<u64>,
 }
 
@@ -84,6 +86,7 @@ impl Stats {
             edges: triangulation.edge_count(),
             triangles: triangulation.triangle_count(),
             genus: triangulation.genus(),
+            components: triangulation.component_count(),
             result_vertices: 0,
             result_edges: 0,
             result_triangles: 0,
@@ -93,6 +96,7 @@ impl Stats {
             read_seconds: 0.0,
             build_seconds: 0.0,
             seconds: 0.0,
+            check_seconds: 0.0,
             peak_memory_bytes: None,
         }
     }
@@ -129,13 +133,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { algorithm, order, seed, .. } = *arguments;
     let (irreducible, seconds) = clock.time(|| algorithm.reduce(triangulation, order, seed));
     stats.describe(&irreducible);
+    status.say("checking what is left");
+    let left = mesh_of(&irreducible, &list);
+    let Stats { components, genus, .. } = stats;
+    let (verdict, check_seconds) = clock.time(|| check_irreducible(&left, components, genus));
+    verdict.map_err(|problem| {
+        let input = arguments.input.display();
+        Failure::no(format!("{input}: the result failed its check, please report this: {problem}"))
+    })?;
     status.say("writing what is left");
-    targets.write_mesh(&mesh_of(&irreducible, &list))?;
+    targets.write_mesh(&left)?;
     drop(status);
     stats = Stats {
         read_seconds,
         build_seconds,
         seconds,
+        check_seconds,
         peak_memory_bytes: machine::peak_memory_bytes(),
         ..stats
     };

@@ -121,7 +121,7 @@ impl Plan {
         if group.other_data && self.scale == Scale::Full {
             meshes.extend(self.other_data(data));
         }
-        meshes.sort_by(|a, b| a.triangles.cmp(&b.triangles));
+        meshes.sort_by_key(|mesh| mesh.triangles);
         for mesh in meshes {
             self.add_mesh(experiment, group, &mesh);
         }

@@ -6,6 +6,7 @@
 //! [`brute_force()`].
 
 mod brute_force;
+mod check;
 mod degree_queue;
 mod edge_lists;
 #[cfg(test)]
@@ -18,6 +19,7 @@ use crate::random::Random;
 use crate::triangulation::{Id, ShrinkingTriangulation, Triangulation, VertexId, VertexSplit};
 
 pub use brute_force::brute_force;
+pub use check::{NotIrreducible, check_irreducible};
 pub use ramaswami_siqueira::{Discipline, ramaswami_siqueira};
 pub use schipper::schipper;
 
