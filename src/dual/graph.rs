@@ -85,12 +85,6 @@ impl DualGraph {
         Ok(Self { rows: neighbours.into_iter().map(Row::new).collect(), has_boundary })
     }
 
-    /// Reads anew which triangles lie across the sides of `f`, where edges have been flipped.
-    pub(crate) fn read_sides(&mut self, triangulation: &Triangulation, f: TriangleId) {
-        let twins = f.half_edges().map(|h| triangulation.twin(h));
-        self.rows[f.index()].sides = twins.map(HalfEdgeId::triangle);
-    }
-
     /// Number of triangles.
     pub fn len(&self) -> usize {
         self.rows.len()

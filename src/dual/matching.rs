@@ -17,6 +17,12 @@ impl Matching {
         Self { mate: IdVec::filled(TriangleId::NONE, triangles), unpaired: triangles }
     }
 
+    /// The matching in which each triangle has this mate, or [`TriangleId::NONE`]. O(n).
+    pub(crate) fn from_mates(mate: Vec<TriangleId>) -> Self {
+        let unpaired = mate.iter().filter(|&&mate| mate == TriangleId::NONE).count();
+        Self { mate: mate.into(), unpaired }
+    }
+
     /// The triangle that `f` is paired with.
     #[inline]
     pub fn mate(&self, f: TriangleId) -> Option<TriangleId> {
@@ -58,14 +64,6 @@ impl Matching {
         self.mate[f] = g;
         self.mate[g] = f;
         self.unpaired -= 2;
-    }
-
-    /// Undoes the pairing of two mates.
-    pub(crate) fn separate(&mut self, f: TriangleId, g: TriangleId) {
-        debug_assert!(self.mate[f] == g && self.mate[g] == f);
-        self.mate[f] = TriangleId::NONE;
-        self.mate[g] = TriangleId::NONE;
-        self.unpaired += 2;
     }
 
     /// Number of triangles (paired or not).

@@ -7,7 +7,7 @@
 //! that a split needs. Departs from the paper, whose edge records have no counterpart here.
 
 use super::star::Spokes;
-use super::{HalfEdgeId, Id, IdVec, TriangleId, Triangulation, VertexId};
+use super::{HalfEdgeId, Id, IdVec, Places, TriangleId, Triangulation, VertexId};
 
 /// A triangulation whose edges can be contracted, and the contractions undone last-in first-out.
 ///
@@ -15,20 +15,20 @@ use super::{HalfEdgeId, Id, IdVec, TriangleId, Triangulation, VertexId};
 /// nothing is renumbered in between. 24 bytes a triangle and 8 a vertex.
 #[derive(Clone, Debug)]
 pub struct ShrinkingTriangulation {
-    origin: IdVec<HalfEdgeId, VertexId>,
-    twin: IdVec<HalfEdgeId, HalfEdgeId>,
-    star: IdVec<VertexId, Star>,
+    pub(super) origin: IdVec<HalfEdgeId, VertexId>,
+    pub(super) twin: IdVec<HalfEdgeId, HalfEdgeId>,
+    pub(super) star: IdVec<VertexId, Star>,
     vertices: usize,
     components: usize,
 }
 
 /// What is known of a vertex; side by side, as both change at once.
 #[derive(Clone, Copy, Debug)]
-struct Star {
+pub(super) struct Star {
     /// Some half-edge that leaves the vertex; none for retired and unreferenced vertices.
-    outgoing: HalfEdgeId,
+    pub(super) outgoing: HalfEdgeId,
     /// Number of edges at the vertex; that of a retired vertex means nothing.
-    degree: u32,
+    pub(super) degree: u32,
 }
 
 /// Receipt of one contraction, undone last-in first-out; not `Clone`, so at most once.
@@ -234,6 +234,17 @@ impl ShrinkingTriangulation {
         self.star[v].degree = moved + 3;
         self.star[u].degree = self.star[u].degree + 4 - self.star[v].degree;
         self.vertices += 1;
+    }
+
+    /// Like [`ShrinkingTriangulation::split`], where edges have been flipped since: the half-edges
+    /// round the edge, none of them on a flipped edge, are where `places` has them.
+    pub(crate) fn split_among_flips(&mut self, receipt: VertexSplit, places: &Places) {
+        let VertexSplit(h) = receipt;
+        let hp = self.twin[h];
+        for side in [h.next(), h.prev(), hp.next(), hp.prev()] {
+            self.twin[side] = places.of(self.twin[side]);
+        }
+        self.split(receipt);
     }
 
     /// The spokes that the contraction of `receipt`, the last one, has moved to the end that stayed:

@@ -1,38 +1,31 @@
 //! Edge flips (Lemos et al., Definition 3.3), each edge at most once.
 //!
-//! Half-edges are named by their places, so a flip has to move two of them into the other triangle.
+//! Half-edges are named by their places, so a flip has to move two of them into the other triangle,
+//! and who knows half-edges by their names of before must look for them.
 //! Departs from the paper, which marks flipped edges and derives the flipped triangulation from the
 //! marks: flips are not independent, as two flipped edges may share a triangle, so they are made one
 //! after the other.
 
-use super::{HalfEdgeId, Id, Triangulation};
+use super::{HalfEdgeId, Id, IdVec, ShrinkingTriangulation, Triangulation, VertexId};
 
-/// A triangulation whose edges can be flipped, and where the half-edges that it had at first are.
-///
-/// 36 bytes a triangle. A flip at triangles f and g leaves triangles f and g.
+/// Where half-edges are that have made way for flipped edges. 12 bytes a triangle.
 #[derive(Clone, Debug)]
-pub struct FlippedTriangulation {
-    triangulation: Triangulation,
+pub(crate) struct Places {
     /// For a place taken by a flipped edge, where what it displaced there first has gone, plus one;
     /// zero for other places. No other edge ever comes to a place that a flipped edge has taken.
     moved: Vec<u32>,
 }
 
-impl FlippedTriangulation {
-    /// Takes a triangulation over. O(n).
-    pub fn of(triangulation: Triangulation) -> Self {
-        let moved = vec![0; triangulation.origin.len()];
-        Self { triangulation, moved }
+impl Places {
+    /// All `half_edges` half-edges are where they belong. O(n).
+    pub(crate) fn new(half_edges: usize) -> Self {
+        Self { moved: vec![0; half_edges] }
     }
 
-    /// The triangulation as it is now.
-    pub fn triangulation(&self) -> &Triangulation {
-        &self.triangulation
-    }
-
-    /// Where the half-edge is now that was `h` at first, whose edge has not been flipped.
+    /// Where the half-edge is now that was `h` at first, whose edge has not been flipped. O(1), but
+    /// where many edges have been flipped.
     #[inline]
-    pub fn place(&self, h: HalfEdgeId) -> HalfEdgeId {
+    pub(crate) fn of(&self, h: HalfEdgeId) -> HalfEdgeId {
         let mut at = h;
         while self.moved[at.index()] != 0 {
             at = HalfEdgeId(self.moved[at.index()] - 1);
@@ -40,17 +33,10 @@ impl FlippedTriangulation {
         at
     }
 
-    /// Flips the edge that was that of `h` at first. O(1), but where many edges have been flipped.
-    ///
-    /// The result is a triangulation if both ends have more than three edges and the other diagonal
-    /// is no edge yet: the caller's to know.
-    ///
-    /// # Panics
-    /// In debug builds, if the flip would make a loop.
-    pub fn flip(&mut self, h: HalfEdgeId) {
-        let place = self.place(h);
-        let [one, other, ..] = self.triangulation.flip(place);
-        for (from, to) in [one, other] {
+    /// Follows the flip of an edge that had not been flipped before.
+    #[inline]
+    pub(crate) fn follow(&mut self, moves: &Moves) {
+        for (from, to) in moves[..2].iter().copied() {
             let moved = &mut self.moved[from.index()];
             // Where a flipped edge was already, nothing is looked for.
             if *moved == 0 {
@@ -58,41 +44,68 @@ impl FlippedTriangulation {
             }
         }
     }
-
-    /// The triangulation as it is now.
-    pub fn into_triangulation(self) -> Triangulation {
-        self.triangulation
-    }
 }
+
+/// What a flip has moved, from where and where to: first the two sides that are in the other
+/// triangle now, then both sides of the edge.
+pub(crate) type Moves = [(HalfEdgeId, HalfEdgeId); 4];
 
 impl Triangulation {
     /// Flips the edge at `s`: the two triangles at it form a quadrilateral, and it becomes the other
-    /// diagonal. Tells what has moved, from where and where to: first the two sides that are in the
-    /// other triangle now, then both sides of the edge. Four flips give the same triangles, each
-    /// beginning with another corner.
+    /// diagonal. Four flips give the same triangles, each beginning with another corner.
     ///
-    /// ```text
-    ///       c                  c          places s, s1, s2 and t, t1, t2:
-    ///      / \               / | \        abc becomes adc, bad becomes bcd;
-    ///  s2 /   \ s1      s2  /  |  \  t    what was at t1 is now at s,
-    ///    a -s- b    ->     a s1|t1 b      what was at s1 is now at t,
-    ///  t1 \   / t2      s   \  |  /  t2   the edge itself is at s1 and t1.
-    ///      \ /               \ | /
-    ///       d                  d
-    /// ```
-    pub(crate) fn flip(&mut self, s: HalfEdgeId) -> [(HalfEdgeId, HalfEdgeId); 4] {
-        let t = self.twin[s];
-        let [s1, s2, t1, t2] = [s.next(), s.prev(), t.next(), t.prev()];
-        let [below, above] = [t1, s1].map(|side| self.twin[side]);
-        debug_assert_ne!(self.origin[s2], self.origin[t2], "a flip would make a loop");
-        self.origin[s1] = self.origin[t2];
-        self.origin[t1] = self.origin[s2];
-        for (one, other) in [(s, below), (t, above), (s1, t1)] {
-            self.twin[one] = other;
-            self.twin[other] = one;
-        }
-        [(t1, s), (s1, t), (s, s1), (t, t1)]
+    /// The result is a triangulation if both ends have more than three edges and the other diagonal
+    /// is no edge yet: the caller's to know. O(1).
+    ///
+    /// # Panics
+    /// In debug builds, if the flip would make a loop.
+    pub(crate) fn flip(&mut self, s: HalfEdgeId) -> Moves {
+        flip(&mut self.origin, &mut self.twin, s)
     }
+}
+
+impl ShrinkingTriangulation {
+    /// Like [`Triangulation::flip`], for an edge that is not contracted.
+    pub(crate) fn flip(&mut self, s: HalfEdgeId) -> Moves {
+        let t = self.twin[s];
+        let [a, b] = [s, t].map(|side| self.origin[side]);
+        let [c, d] = self.apexes(s);
+        let moves = flip(&mut self.origin, &mut self.twin, s);
+        for (end, outgoing) in [(a, s), (b, t)] {
+            self.star[end].outgoing = outgoing;
+            self.star[end].degree -= 1;
+        }
+        [c, d].into_iter().for_each(|end| self.star[end].degree += 1);
+        moves
+    }
+}
+
+/// ```text
+///       c                  c          places s, s1, s2 and t, t1, t2:
+///      / \               / | \        abc becomes adc, bad becomes bcd;
+///  s2 /   \ s1      s2  /  |  \  t    what was at t1 is now at s,
+///    a -s- b    ->     a s1|t1 b      what was at s1 is now at t,
+///  t1 \   / t2      s   \  |  /  t2   the edge itself is at s1 and t1.
+///      \ /               \ | /
+///       d                  d
+/// ```
+#[inline]
+fn flip(
+    origin: &mut IdVec<HalfEdgeId, VertexId>,
+    twin: &mut IdVec<HalfEdgeId, HalfEdgeId>,
+    s: HalfEdgeId,
+) -> Moves {
+    let t = twin[s];
+    let [s1, s2, t1, t2] = [s.next(), s.prev(), t.next(), t.prev()];
+    let [below, above] = [t1, s1].map(|side| twin[side]);
+    debug_assert_ne!(origin[s2], origin[t2], "a flip would make a loop");
+    origin[s1] = origin[t2];
+    origin[t1] = origin[s2];
+    for (one, other) in [(s, below), (t, above), (s1, t1)] {
+        twin[one] = other;
+        twin[other] = one;
+    }
+    [(t1, s), (s1, t), (s, s1), (t, t1)]
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ mod survey;
 use crate::mesh::Faces;
 
 pub use contraction::{LinkMarks, ShrinkingTriangulation, VertexSplit};
-pub use flip::FlippedTriangulation;
+pub(crate) use flip::{Moves, Places};
 pub use ids::{HalfEdgeId, Id, IdVec, TriangleId, VertexId};
 pub use laws::{Element, Law, Violation};
 pub use star::Spokes;

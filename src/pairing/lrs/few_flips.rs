@@ -1,169 +1,181 @@
-//! Fewer flips than published, what the authors of the paper leave to be done (section 5): most
-//! edges that the expansion flips can be flipped back afterwards, and a little re-pairing around
-//! each makes up for it.
+//! Expansion that flips an edge only where nothing else is found: what the authors of the paper
+//! leave to be done (section 5).
+//!
+//! Works on 𝒦 itself. Where a vertex comes back and edges that split are in M, two triangles have
+//! lost their mates. A short search looks for a way to re-pair what is around so that both are
+//! paired, and only if there is none are edges flipped as in Algorithm 3.4. Algorithms 3.2 and 3.3
+//! are such searches of length one. At the end, edges are flipped back where another short search
+//! makes up for it: more vertices have come back since, and there are more ways.
 
 use super::Expanded;
-use super::printed::{Mark, Run};
-use crate::augmentation::Rescue;
-use crate::dual::{DualGraph, Matching};
-use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation};
+use super::marks::{Mark, Marks};
+use super::search::Search;
+use crate::irreducible::Reduction;
+use crate::triangulation::{
+    HalfEdgeId, IdVec, Places, ShrinkingTriangulation, Triangulation, VertexId, VertexSplit,
+};
 
-/// How many triangles are searched for a re-pairing that lets an edge be flipped back.
-const SEARCH_LIMIT: usize = 16;
-
-/// 𝒦 with its flipped edges, which can be flipped back.
-struct Reverter<'t> {
-    input: &'t Triangulation,
-    /// The flipped edges by half-edges of the input, in the order of time.
-    flips: Vec<HalfEdgeId>,
-    k: Triangulation,
-    /// Where those half-edges are now.
-    place: Vec<HalfEdgeId>,
-    /// For each place what is there.
-    label: IdVec<HalfEdgeId, u32>,
+/// Looks on while vertices come back; production looks away.
+pub(super) trait Observer: Sized {
+    /// A vertex has been expanded and its triangles have been paired.
+    fn expanded(&mut self, _run: &Run) {}
 }
 
-/// Nothing special. Other labels are numbers of flips, plus one.
-const PLAIN: u32 = 0;
-/// A side of an edge in M.
-const MATCHED: u32 = u32::MAX;
+impl Observer for () {}
 
-/// 𝒦 and the matching of its triangles, when all vertices are back, with as many flips undone as
-/// short searches can. O(n).
-pub(super) fn finish(run: Run, input: &Triangulation) -> Expanded {
-    let mut reverter = Reverter::of(run, input);
-    let matching = reverter.matching();
-    let dual = DualGraph::of(&reverter.k);
-    let rescue = Rescue::new(dual.len());
-    let mut pairing = Pairing { dual, matching, rescue };
-    // The newest first: it may be in the way of older ones, and they are not in its way.
-    let count = reverter.flips.len();
-    let undone = (0..count).rev().filter(|&flip| reverter.undo(flip, &mut pairing)).count();
-    let Pairing { dual, matching, .. } = pairing;
-    Expanded { triangulation: reverter.k, dual, matching, edge_flips: count - undone }
+/// The state of the expansion.
+pub(super) struct Run {
+    /// 𝒦, as far as it has been expanded.
+    pub(super) k: ShrinkingTriangulation,
+    /// Which edges of 𝒦 are in M, and which are flips.
+    pub(super) marks: Marks,
+    places: Places,
+    /// The vertices into which others have been contracted that are not back yet.
+    splits_again: IdVec<VertexId, bool>,
+    search: Search,
+    /// The edges flipped, each by the half-edge that it is in 𝒯, in the order of time.
+    pub(super) flips: Vec<HalfEdgeId>,
 }
 
-/// A pairing while edges are being flipped back.
-struct Pairing {
-    dual: DualGraph,
-    matching: Matching,
-    rescue: Rescue,
-}
-
-impl<'t> Reverter<'t> {
-    /// Makes the flips that `run` has marked.
-    fn of(run: Run, input: &'t Triangulation) -> Self {
-        let flips: Vec<HalfEdgeId> = run.lasting_flips().collect();
-        let Run { t, marks, .. } = run;
-        let mut label = IdVec::filled(PLAIN, marks.len());
-        for h in marks.ids().filter(|&h| marks[h] == Mark::Matched) {
-            label[h] = MATCHED;
-        }
-        for (number, &h) in (1..).zip(&flips) {
-            label[h] = number;
-        }
-        let (k, place) = (t.into_triangulation(), flips.clone());
-        let mut reverter = Self { input, flips, k, place, label };
-        (0..reverter.flips.len()).for_each(|flip| reverter.turn(flip));
-        reverter
+/// Expands all vertices, the last contracted first. O(n).
+pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
+    let Reduction { triangulation: k, splits, .. } = reduction;
+    let mut splits_again = IdVec::filled(false, k.vertex_id_count());
+    for split in &splits {
+        splits_again[k.origin(split.half_edge())] = true;
     }
+    let mut run = Run {
+        marks: Marks::new(k.half_edge_id_count()),
+        places: Places::new(k.half_edge_id_count()),
+        k,
+        splits_again,
+        search: Search::default(),
+        flips: Vec::new(),
+    };
+    let mut splits = splits.into_iter().rev().peekable();
+    while let Some(split) = splits.next() {
+        let u = run.k.origin(split.half_edge());
+        run.expand(split);
+        observer.expanded(&run);
+        let next = splits.peek().map(|split| run.k.origin(split.half_edge()));
+        if next != Some(u) {
+            run.splits_again[u] = false;
+        }
+    }
+    run
+}
 
-    /// Flips the edge of a flip, which turns it by a quarter, and follows what moves.
-    fn turn(&mut self, flip: usize) {
-        let moves = self.k.flip(self.place[flip]);
-        for (label, to) in moves.map(|(from, to)| (self.label[from], to)) {
-            self.label[to] = label;
-            if label != PLAIN && label != MATCHED {
-                self.place[label as usize - 1] = to;
+impl Run {
+    /// Expands one vertex and pairs its triangles. Half-edges have the names of
+    /// [`super::printed`].
+    fn expand(&mut self, split: VertexSplit) {
+        let h = split.half_edge();
+        let hp = self.k.twin(h);
+        let [a, b, c, d] = [h.next(), h.prev(), hp.next(), hp.prev()];
+        self.k.split_among_flips(split, &self.places);
+        let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.k.twin(side));
+        let matched = [tb, tc].map(|side| self.marks.has(side, Mark::Matched));
+        self.marks.copy(tb, b);
+        self.marks.copy(tc, c);
+        self.marks.clear(ta);
+        self.marks.clear(td);
+        let ends = match matched {
+            [false, false] => return self.match_edge(h),
+            [true, true] => [ta, td],
+            [true, false] => [ta, hp],
+            [false, true] => [td, h],
+        };
+        let Self { k, marks, splits_again, search, .. } = self;
+        // An edge that may split at both ends would be in the way of a flip.
+        let allowed = |h| !(splits_again[k.origin(h)] && splits_again[k.destination(h)]);
+        if search.pair(ends.map(HalfEdgeId::triangle), k, marks, allowed) {
+            return;
+        }
+        for (side, matched) in [a, d].into_iter().zip(matched) {
+            if matched {
+                self.flip(side);
             }
         }
+        self.match_edge(h);
     }
 
-    fn matching(&self) -> Matching {
-        let mut matching = Matching::empty(self.k.triangle_count());
-        for side in self.label.ids().filter(|&h| self.label[h] == MATCHED) {
-            let across = self.k.twin(side);
-            if side < across {
-                matching.pair_unpaired(side.triangle(), across.triangle());
-            }
+    fn match_edge(&mut self, h: HalfEdgeId) {
+        for side in [h, self.k.twin(h)] {
+            self.marks.add(side, Mark::Matched);
         }
-        matching
     }
 
-    /// Flips an edge back, if the edge of the input comes of it and the pairing can be mended.
-    fn undo(&mut self, flip: usize, pairing: &mut Pairing) -> bool {
-        let s = self.place[flip];
-        let t = self.k.twin(s);
-        if !self.leads_back(flip, s, t) {
+    /// Flips an edge that has just come back.
+    fn flip(&mut self, side: HalfEdgeId) {
+        let moves = self.k.flip(side);
+        self.places.follow(&moves);
+        self.marks.follow(&moves);
+        for (_, place) in &moves[2..] {
+            self.marks.add(*place, Mark::Flipped);
+        }
+        self.flips.push(side);
+    }
+
+    /// 𝒦 and the matching of its triangles, when all vertices are back, with the flips undone that can
+    /// be. O(n).
+    pub(super) fn finish(mut self, input: &Triangulation) -> Expanded {
+        let flips = std::mem::take(&mut self.flips);
+        // The newest first: it may be in the way of older ones, and they are not in its way.
+        let lasting = flips.iter().rev().filter(|&&h| !self.undo(input, h)).count();
+        Expanded::new(self.k.into_triangulation(), &self.marks, lasting)
+    }
+
+    /// Flips an edge back to edge `h` of the input, if there is one to be and the pairing can be mended.
+    fn undo(&mut self, input: &Triangulation, h: HalfEdgeId) -> bool {
+        let Some(s) = self.flip_of([h, h.next()].map(|h| input.origin(h))) else { return false };
+        if !self.marks.has(s, Mark::Matched) && !self.make_way(s) {
             return false;
         }
-        let (f, g) = (s.triangle(), t.triangle());
-        let mates = [f, g].map(|triangle| pairing.matching.mate(triangle));
-        if mates[0] == Some(g) {
-            self.turn_in(flip, [f, g], &mut pairing.dual);
-            return true;
+        let moves = self.k.flip(s);
+        self.marks.follow(&moves);
+        for (_, side) in &moves[2..] {
+            self.marks.remove(*side, Mark::Flipped);
         }
-        // Each mate stays with the triangle at whose side it lies; two sides change triangles.
-        let beyond = |side: HalfEdgeId| Some(self.k.twin(side).triangle());
-        let hosts = [
-            if mates[0] == beyond(s.next()) { g } else { f },
-            if mates[1] == beyond(t.next()) { f } else { g },
-        ];
-        self.turn_in(flip, [f, g], &mut pairing.dual);
-        if pairing.mend([f, g], mates, hosts) {
-            return true;
-        }
-        // Three more quarters of a turn, and there are the same triangles as before.
-        (0..3).for_each(|_| self.turn_in(flip, [f, g], &mut pairing.dual));
-        false
+        true
     }
 
-    /// Whether flipping the edge of `s` and `t` makes the edge that `flip` flipped: what lies round
-    /// it may have changed since. That edge is not in 𝒦 now, as no flip is an edge of the input.
-    fn leads_back(&self, flip: usize, s: HalfEdgeId, t: HalfEdgeId) -> bool {
-        let ends = [s, t].map(|side| self.k.origin(side.prev()));
-        let h = self.flips[flip];
-        let given = [h, h.next()].map(|side| self.input.origin(side));
-        ends == given || ends == [given[1], given[0]]
+    /// The edge of 𝒦 that is a flip and becomes the edge with these ends when it is flipped, if there
+    /// is one.
+    fn flip_of(&self, [one, other]: [VertexId; 2]) -> Option<HalfEdgeId> {
+        let (centre, apex) =
+            if self.k.degree(one) <= self.k.degree(other) { (one, other) } else { (other, one) };
+        let opposite = self.k.spokes(centre).map(HalfEdgeId::next);
+        let faces_apex = |&s: &HalfEdgeId| self.k.origin(self.k.twin(s).prev()) == apex;
+        opposite.filter(|&s| self.marks.has(s, Mark::Flipped)).find(faces_apex)
     }
 
-    /// Like [`Reverter::turn`], in the dual graph as well; the edge is between `triangles`.
-    fn turn_in(&mut self, flip: usize, triangles: [TriangleId; 2], dual: &mut DualGraph) {
-        self.turn(flip);
-        for side in triangles.into_iter().flat_map(TriangleId::half_edges) {
-            dual.read_sides(&self.k, side.triangle());
-            dual.read_sides(&self.k, self.k.twin(side).triangle());
-        }
-    }
-}
-
-impl Pairing {
-    /// Pairs two triangles anew, between which an edge has been flipped, and their mates: each lies
-    /// beside its host now. False, and nothing has changed, if a search finds no way.
-    fn mend(
-        &mut self,
-        triangles: [TriangleId; 2],
-        mates: [Option<TriangleId>; 2],
-        hosts: [TriangleId; 2],
-    ) -> bool {
-        let couples = |with: [TriangleId; 2]| {
-            mates.into_iter().zip(with).filter_map(|(mate, host)| Some((mate?, host)))
-        };
-        couples(triangles).for_each(|(mate, triangle)| self.matching.separate(mate, triangle));
-        let [Some(one), Some(_)] = mates else {
-            couples(hosts).for_each(|(mate, host)| self.matching.pair(mate, host));
-            return true;
-        };
-        if hosts[0] != hosts[1] {
-            couples(hosts).for_each(|(mate, host)| self.matching.pair(mate, host));
+    /// Has the mates of the two triangles at `s` paired otherwise, if they would be in one triangle's way
+    /// once the edge of `s` is flipped. False, and nothing has changed, if that cannot be.
+    fn make_way(&mut self, s: HalfEdgeId) -> bool {
+        let t = self.k.twin(s);
+        let sides = [s, t].map(|side| self.marks.matched_side(side));
+        let [Some(one), Some(other)] = sides else { return true };
+        // Flipped, the triangle of s has the sides before s and after t, that of t the other two.
+        if (one == s.prev()) != (other == t.next()) {
             return true;
         }
-        self.matching.pair(triangles[0], triangles[1]);
-        if self.rescue.pair(&self.dual, &mut self.matching, one, SEARCH_LIMIT).is_some() {
-            return true;
+        let mates = [one, other].map(|side| self.k.twin(side));
+        for side in [one, other].into_iter().chain(mates) {
+            self.marks.remove(side, Mark::Matched);
         }
-        self.matching.separate(triangles[0], triangles[1]);
-        couples(triangles).for_each(|(mate, triangle)| self.matching.pair(mate, triangle));
-        false
+        for side in [s, t] {
+            self.marks.add(side, Mark::Matched);
+            self.marks.add(side, Mark::Inner);
+        }
+        let Self { k, marks, search, .. } = self;
+        let found = search.pair(mates.map(HalfEdgeId::triangle), k, marks, |_| true);
+        for side in [s, t] {
+            self.marks.remove(side, Mark::Inner);
+        }
+        if !found {
+            [s, t].into_iter().for_each(|side| self.marks.remove(side, Mark::Matched));
+            [one, other].into_iter().for_each(|side| self.match_edge(side));
+        }
+        found
     }
 }

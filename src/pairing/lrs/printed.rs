@@ -7,11 +7,9 @@
 //! matters. And 𝒦 is made once, when all vertices are back.
 
 use super::Expanded;
-use crate::dual::{DualGraph, Matching};
+use super::marks::{Mark, Marks};
 use crate::irreducible::Reduction;
-use crate::triangulation::{
-    FlippedTriangulation, HalfEdgeId, IdVec, ShrinkingTriangulation, VertexSplit,
-};
+use crate::triangulation::{HalfEdgeId, Places, ShrinkingTriangulation, VertexSplit};
 
 /// Looks on while vertices come back; production looks away.
 pub(super) trait Observer: Sized {
@@ -21,23 +19,11 @@ pub(super) trait Observer: Sized {
 
 impl Observer for () {}
 
-/// What is known of an edge, on both its half-edges.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub(super) enum Mark {
-    /// It is in 𝒦, and not in M.
-    Free,
-    /// It is in M.
-    Matched,
-    /// 𝒦 has its flip in its stead.
-    Flipped,
-}
-
 /// The state of the expansion.
 pub(super) struct Run {
     /// 𝒯, as far as it has been expanded.
     pub(super) t: ShrinkingTriangulation,
-    pub(super) marks: IdVec<HalfEdgeId, Mark>,
+    pub(super) marks: Marks,
     /// The edges flipped, each by one half-edge, in the order of time; those whose marks say
     /// otherwise have been flipped back.
     pub(super) flips: Vec<HalfEdgeId>,
@@ -68,7 +54,7 @@ struct Split {
 /// Expands all vertices, the last contracted first (Algorithm 3.1). O(n).
 pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
     let Reduction { triangulation: t, splits, .. } = reduction;
-    let marks = IdVec::filled(Mark::Free, t.half_edge_id_count());
+    let marks = Marks::new(t.half_edge_id_count());
     let mut run = Run { t, marks, flips: Vec::new() };
     for split in splits.into_iter().rev() {
         run.expand(split);
@@ -100,15 +86,19 @@ impl Run {
         let hp = self.t.twin(h);
         let [a, b, c, d] = [h.next(), h.prev(), hp.next(), hp.prev()];
         let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.t.twin(side));
-        let [ux, uy] = [tb, tc].map(|side| self.marks[side]);
-        debug_assert!(ux != Mark::Flipped && uy != Mark::Flipped, "edges that split are in 𝒦");
+        let marks = &mut self.marks;
+        debug_assert!(
+            ![tb, tc].iter().any(|&side| marks.has(side, Mark::Flipped)),
+            "they are in 𝒦"
+        );
+        let matched = [tb, tc].map(|side| marks.has(side, Mark::Matched));
         self.t.split(split);
-        self.marks[b] = ux;
-        self.marks[c] = uy;
-        self.marks[ta] = Mark::Free;
-        self.marks[td] = Mark::Free;
-        debug_assert!([h, hp, a, d].iter().all(|&side| self.marks[side] == Mark::Free));
-        Split { h, a, d, ta, td, matched: [ux, uy].map(|mark| mark == Mark::Matched) }
+        marks.copy(tb, b);
+        marks.copy(tc, c);
+        marks.clear(ta);
+        marks.clear(td);
+        debug_assert!([h, hp, a, d].iter().all(|&side| marks.is_plain(side)));
+        Split { h, a, d, ta, td, matched }
     }
 
     /// Algorithm 3.2. The paper has [x, y] flipped back whenever it is flipped; it is if and only if
@@ -116,9 +106,12 @@ impl Run {
     fn match_degree_three(&mut self, e: &Split) {
         let xy = e.td.next();
         let both = e.matched == [true; 2];
-        debug_assert_eq!(self.marks[xy] == Mark::Flipped, both);
+        debug_assert_eq!(self.marks.has(xy, Mark::Flipped), both);
         if both {
-            self.set(xy, Mark::Matched);
+            for side in [xy, self.t.twin(xy)] {
+                self.marks.remove(side, Mark::Flipped);
+            }
+            self.match_edge(xy);
         } else if e.matched[0] {
             self.match_edge(e.d);
         } else {
@@ -130,7 +123,7 @@ impl Run {
     fn is_opposite_flipped(&self, e: &Split) -> bool {
         let xz = e.ta.next().next();
         let yz = e.td.next();
-        [xz, yz].iter().any(|&side| self.marks[side] == Mark::Flipped)
+        [xz, yz].iter().any(|&side| self.marks.has(side, Mark::Flipped))
     }
 
     /// Algorithm 3.3.
@@ -147,7 +140,7 @@ impl Run {
     fn match_greater_degree(&mut self, e: &Split) {
         for (matched, side) in e.matched.into_iter().zip([e.a, e.d]) {
             if matched {
-                self.set(side, Mark::Flipped);
+                self.add(side, Mark::Flipped);
                 self.flips.push(side);
             }
         }
@@ -155,37 +148,33 @@ impl Run {
     }
 
     fn match_edge(&mut self, h: HalfEdgeId) {
-        debug_assert!(self.marks[h] == Mark::Free, "a flipped edge is not in 𝒦");
-        self.set(h, Mark::Matched);
+        debug_assert!(self.marks.is_plain(h), "a flipped edge is not in 𝒦");
+        self.add(h, Mark::Matched);
     }
 
-    fn set(&mut self, h: HalfEdgeId, mark: Mark) {
-        self.marks[h] = mark;
-        self.marks[self.t.twin(h)] = mark;
+    fn add(&mut self, h: HalfEdgeId, mark: Mark) {
+        for side in [h, self.t.twin(h)] {
+            self.marks.add(side, mark);
+        }
     }
 
     /// The flips that have not been flipped back, in the order of time. An edge is flipped at most
     /// once, when it is new, so that its mark is enough to tell.
     pub(super) fn lasting_flips(&self) -> impl Iterator<Item = HalfEdgeId> {
-        self.flips.iter().copied().filter(|&h| self.marks[h] == Mark::Flipped)
+        self.flips.iter().copied().filter(|&h| self.marks.has(h, Mark::Flipped))
     }
 
     /// 𝒦 and the matching of its triangles, when all vertices are back. O(n).
     pub(super) fn finish(self) -> Expanded {
         let flips: Vec<HalfEdgeId> = self.lasting_flips().collect();
-        let Self { t, marks, .. } = self;
-        let mut k = FlippedTriangulation::of(t.into_triangulation());
-        flips.iter().for_each(|&h| k.flip(h));
-        let mut matching = Matching::empty(k.triangulation().triangle_count());
-        for h in marks.ids().filter(|&h| marks[h] == Mark::Matched) {
-            let side = k.place(h);
-            let across = k.triangulation().twin(side);
-            if side < across {
-                matching.pair_unpaired(side.triangle(), across.triangle());
-            }
+        let Self { t, mut marks, .. } = self;
+        let mut k = t.into_triangulation();
+        let mut places = Places::new(marks.len());
+        for &h in &flips {
+            let moves = k.flip(places.of(h));
+            places.follow(&moves);
+            marks.follow(&moves);
         }
-        let triangulation = k.into_triangulation();
-        let dual = DualGraph::of(&triangulation);
-        Expanded { triangulation, dual, matching, edge_flips: flips.len() }
+        Expanded::new(k, &marks, flips.len())
     }
 }

@@ -1,0 +1,92 @@
+//! Marks on the edges of a triangulation that is being expanded.
+
+use crate::triangulation::{HalfEdgeId, IdVec, Moves};
+
+/// One thing that is known of an edge; an edge may have several marks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Mark {
+    /// It is in M.
+    Matched = 1,
+    /// Marked in 𝒯: 𝒦 has its flip in its stead. Marked in 𝒦: it is such a flip.
+    Flipped = 2,
+    /// A search has come to the edge's triangle, and goes on beyond the edge.
+    Inner = 4,
+    /// The first tree of a search has come to the edge's triangle through the edge.
+    FirstOuter = 8,
+    /// The second tree has.
+    SecondOuter = 16,
+}
+
+/// Marks for every half-edge; the first two are those of edges, the same on both sides. 3 bytes a
+/// triangle.
+pub(super) struct Marks(IdVec<HalfEdgeId, u8>);
+
+impl Marks {
+    /// No marks at all.
+    pub(super) fn new(half_edges: usize) -> Self {
+        Self(IdVec::filled(0, half_edges))
+    }
+
+    /// Number of half-edges.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether `h` has this mark.
+    #[inline]
+    pub(super) fn has(&self, h: HalfEdgeId, mark: Mark) -> bool {
+        self.0[h] & mark as u8 != 0
+    }
+
+    /// Whether `h` has no mark.
+    #[inline]
+    pub(super) fn is_plain(&self, h: HalfEdgeId) -> bool {
+        self.0[h] == 0
+    }
+
+    /// Whether `h` and `g` have the same marks.
+    #[cfg(test)]
+    pub(super) fn agree(&self, h: HalfEdgeId, g: HalfEdgeId) -> bool {
+        self.0[h] == self.0[g]
+    }
+
+    /// Gives `h` one more mark.
+    #[inline]
+    pub(super) fn add(&mut self, h: HalfEdgeId, mark: Mark) {
+        self.0[h] |= mark as u8;
+    }
+
+    /// Takes a mark away from `h`.
+    #[inline]
+    pub(super) fn remove(&mut self, h: HalfEdgeId, mark: Mark) {
+        self.0[h] &= !(mark as u8);
+    }
+
+    /// Takes all marks away from `h`.
+    #[inline]
+    pub(super) fn clear(&mut self, h: HalfEdgeId) {
+        self.0[h] = 0;
+    }
+
+    /// Gives `to` the marks of `from`.
+    #[inline]
+    pub(super) fn copy(&mut self, from: HalfEdgeId, to: HalfEdgeId) {
+        self.0[to] = self.0[from];
+    }
+
+    /// The side of the triangle of `h` whose edge is in M.
+    #[inline]
+    pub(super) fn matched_side(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        h.triangle().half_edges().into_iter().find(|&side| self.has(side, Mark::Matched))
+    }
+
+    /// Takes the marks along to where a flip has moved half-edges.
+    #[inline]
+    pub(super) fn follow(&mut self, moves: &Moves) {
+        let marks = moves.map(|(from, _)| self.0[from]);
+        for (mark, (_, to)) in marks.into_iter().zip(moves) {
+            self.0[*to] = mark;
+        }
+    }
+}
