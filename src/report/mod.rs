@@ -4,10 +4,13 @@
 //! Pictures know nothing of how a mesh was made: they are drawn from plain
 //! [`FaceList`](crate::mesh::FaceList)s.
 
+pub mod number;
 pub mod paper;
 pub mod picture;
 pub mod statistics;
 pub mod summary;
+pub mod tables;
 
 pub use statistics::Statistics;
 pub use summary::{Cell, Summary};
+pub use tables::ReportTable;

@@ -195,10 +195,13 @@ impl Cell {
         self.runs.iter().find_map(number)
     }
 
-    /// How many runs ended how, in the order of [`Outcome`]; outcomes of no run are left out.
-    pub fn outcomes(&self) -> Vec<(Outcome, usize)> {
-        let count = |outcome| self.runs.iter().filter(|run| run.outcome == outcome).count();
-        OUTCOMES.map(|outcome| (outcome, count(outcome))).into_iter().filter(|o| o.1 > 0).collect()
+    /// How the runs ended, in words: `ok 8, timeout 1, missing 1`.
+    pub fn outcome_text(&self) -> String {
+        let ended = OUTCOMES.iter().map(|&(outcome, name)| {
+            (name, self.runs.iter().filter(|run| run.outcome == outcome).count())
+        });
+        let parts = ended.chain([("missing", self.missing())]).filter(|(_, runs)| *runs > 0);
+        parts.map(|(name, runs)| format!("{name} {runs}")).collect::<Vec<_>>().join(", ")
     }
 
     /// Planned repetitions without a row.
@@ -222,14 +225,14 @@ impl Cell {
     }
 }
 
-/// How runs may end, in the order in which they are told.
-const OUTCOMES: [Outcome; 6] = [
-    Outcome::Ok,
-    Outcome::Timeout,
-    Outcome::OutOfMemory,
-    Outcome::Crash,
-    Outcome::Invalid,
-    Outcome::Skipped,
+/// How runs may end, in the order in which they are told, and the words of records for it.
+const OUTCOMES: [(Outcome, &str); 6] = [
+    (Outcome::Ok, "ok"),
+    (Outcome::Timeout, "timeout"),
+    (Outcome::OutOfMemory, "out-of-memory"),
+    (Outcome::Crash, "crash"),
+    (Outcome::Invalid, "invalid"),
+    (Outcome::Skipped, "skipped"),
 ];
 
 /// Takes the kind and size of a mesh from whatever run knows them, and puts the cells in order.
