@@ -4,6 +4,9 @@
 //! Pictures know nothing of how a mesh was made: they are drawn from plain
 //! [`FaceList`](crate::mesh::FaceList)s.
 
+pub mod claims;
+pub mod compare;
+pub mod fit;
 pub mod number;
 pub mod paper;
 pub mod picture;
@@ -11,6 +14,7 @@ pub mod statistics;
 pub mod summary;
 pub mod tables;
 
+pub use compare::{Comparison, Judged, Verdict};
 pub use statistics::Statistics;
 pub use summary::{Cell, Summary};
 pub use tables::ReportTable;
