@@ -9,6 +9,7 @@ pub mod compare;
 pub mod fit;
 pub mod number;
 pub mod paper;
+pub mod figures;
 pub mod picture;
 pub mod statistics;
 pub mod summary;
