@@ -1,7 +1,21 @@
-//! What is shown of results: pictures of meshes, and the papers' tables to lay beside our own.
+//! What is shown of results: tables, the comparison with the papers, pictures of meshes.
 //!
-//! Nothing here knows how a mesh was made; pictures are drawn from plain
+//! Everything is made of records and of the papers' printed values, nothing is measured here.
+//! Pictures know nothing of how a mesh was made: they are drawn from plain
 //! [`FaceList`](crate::mesh::FaceList)s.
 
+pub mod claims;
+pub mod compare;
+pub mod fit;
+pub mod number;
 pub mod paper;
+pub mod figures;
 pub mod picture;
+pub mod statistics;
+pub mod summary;
+pub mod tables;
+
+pub use compare::{Comparison, Judged, Verdict};
+pub use statistics::Statistics;
+pub use summary::{Cell, Summary};
+pub use tables::ReportTable;

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::Path;
 
+use super::palette;
 use crate::atomic_file::AtomicFile;
 
 /// An image; rows from top to bottom, pixels from left to right.
@@ -56,5 +57,20 @@ impl Image {
         writer.write_image_data(self.pixels.as_flattened())?;
         writer.finish()?;
         file.commit()
+    }
+
+    /// The image as a small PNG file: of at most 256 colours, as if all pixels were opaque. O(pixels).
+    pub fn small_png(&self) -> Vec<u8> {
+        let (colours, indices) = palette::reduce(&self.pixels);
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_palette(colours.into_flattened());
+        encoder.set_compression(png::Compression::High);
+        encoder.set_filter(png::Filter::NoFilter);
+        let mut writer = encoder.write_header().expect("a palette and a size that are not empty");
+        writer.write_image_data(&indices).expect("an index for each pixel");
+        writer.finish().expect("memory takes all bytes");
+        bytes
     }
 }

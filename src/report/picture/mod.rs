@@ -24,6 +24,7 @@ mod faces;
 mod image;
 mod light;
 mod occlusion;
+mod palette;
 mod resolve;
 mod section;
 mod vector;

@@ -1,0 +1,286 @@
+//! The tests that claims are put to: what must hold of a number on several meshes.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use super::expression::Expression;
+use crate::report::fit::PowerLaw;
+use crate::report::number::significant;
+use crate::report::statistics::Statistics;
+
+/// A number on a mesh, with what some tests need beside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// The mesh.
+    pub mesh: String,
+    /// The number.
+    pub value: f64,
+    /// 95 % of the bootstrap, where there were repetitions.
+    pub interval: Option<(f64, f64)>,
+    /// What it is drawn against, for tests that have such a thing; otherwise 0.
+    pub along: f64,
+    /// n_f of the mesh.
+    pub triangles: f64,
+    /// g of the mesh.
+    pub genus: f64,
+}
+
+/// Whether a number grows or falls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Direction {
+    /// It grows.
+    Rises,
+    /// It gets less.
+    Falls,
+}
+
+/// What must hold.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(tag = "type", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Predicate {
+    /// On every mesh: not below `low`, not above `high`.
+    Range {
+        /// Least value.
+        low: Option<f64>,
+        /// Greatest value.
+        high: Option<f64>,
+    },
+    /// On every mesh: the printed number, within a factor of `tolerance` either way; 1 for equality.
+    AsPrinted {
+        /// At least 1.
+        tolerance: f64,
+        /// The printed numbers, where they are not in the paper's tables.
+        #[serde(default)]
+        numbers: BTreeMap<String, f64>,
+    },
+    /// On every mesh of genus 0 exactly `sphere`; on others at most `slope` g + `offset`.
+    GenusBound {
+        /// At genus 0.
+        sphere: f64,
+        /// For each handle.
+        slope: f64,
+        /// And once.
+        offset: f64,
+    },
+    /// Below 1 on these meshes, not below 1 on the others.
+    BelowOneOnlyOn {
+        /// Some of the claim's meshes.
+        winners: Vec<String>,
+    },
+    /// Rises or falls along a number: in at least `share` of the pairs of meshes that differ in it.
+    Monotone {
+        /// What it is drawn against.
+        along: Expression,
+        /// Which way.
+        direction: Direction,
+        /// 1 for all pairs.
+        share: f64,
+    },
+    /// The exponent of a power of another number lies between `low` and `high`.
+    Exponent {
+        /// The base of the power.
+        along: Expression,
+        /// Least exponent.
+        low: f64,
+        /// Greatest exponent.
+        high: f64,
+    },
+    /// Nowhere greater than on this mesh.
+    LargestOn {
+        /// One of the claim's meshes.
+        mesh: String,
+    },
+    /// The greatest value is at most `factor` times the least.
+    Constant {
+        /// At least 1.
+        factor: f64,
+    },
+    /// δt / (δf δg) is constant within `factor`, δ being the relative change from the mesh `base`.
+    ProductLaw {
+        /// The mesh that the others are compared with.
+        base: String,
+        /// At least 1.
+        factor: f64,
+    },
+    /// Nothing is tested: seconds, scaled by the median of the paper's to our `along`, beside the
+    /// printed ones.
+    Scaled {
+        /// The seconds that the scale is taken from.
+        along: Expression,
+    },
+}
+
+/// What a test said.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Test {
+    /// Whether the points pass.
+    pub holds: bool,
+    /// The number that decided, or the range of the values, in words.
+    pub found: String,
+    /// Meshes on which it does not hold, where each is tested for itself.
+    pub broken_on: Vec<String>,
+}
+
+impl Predicate {
+    /// What the number is drawn against.
+    pub fn along(&self) -> Option<&Expression> {
+        match self {
+            Self::Monotone { along, .. }
+            | Self::Exponent { along, .. }
+            | Self::Scaled { along } => Some(along),
+            _ => None,
+        }
+    }
+
+    /// Whether each mesh is tested for itself, so that one of them alone can refute it.
+    pub fn is_pointwise(&self) -> bool {
+        matches!(
+            self,
+            Self::Range { .. }
+                | Self::AsPrinted { .. }
+                | Self::GenusBound { .. }
+                | Self::BelowOneOnlyOn { .. }
+        )
+    }
+
+    /// Tests `points`, of which there must be some; `printed` has the paper's own, as far as it prints
+    /// them.
+    pub fn test(&self, points: &[Point], printed: &[Point]) -> Test {
+        match self {
+            Self::Monotone { direction, share, .. } => monotone(points, *direction, *share),
+            Self::Exponent { low, high, .. } => exponent(points, *low, *high),
+            Self::LargestOn { mesh } => largest_on(points, mesh),
+            Self::Constant { factor } => constant(points, *factor),
+            Self::ProductLaw { base, factor } => product_law(points, base, *factor),
+            Self::Scaled { .. } => scaled(points, printed),
+            _ => self.pointwise(points, printed),
+        }
+    }
+
+    fn pointwise(&self, points: &[Point], printed: &[Point]) -> Test {
+        let broken = points.iter().filter(|point| !self.holds_at(point, printed));
+        let broken_on: Vec<String> = broken.map(|point| point.mesh.clone()).collect();
+        Test { holds: broken_on.is_empty(), found: range_of(points), broken_on }
+    }
+
+    fn holds_at(&self, point: &Point, printed: &[Point]) -> bool {
+        let value = point.value;
+        match self {
+            Self::Range { low, high } => {
+                low.is_none_or(|low| value >= low) && high.is_none_or(|high| value <= high)
+            }
+            Self::AsPrinted { tolerance, numbers } => {
+                let in_table = printed.iter().find(|other| other.mesh == point.mesh);
+                let number =
+                    numbers.get(&point.mesh).copied().or(in_table.map(|other| other.value));
+                // Twice rounded, equal numbers may differ in their last bit.
+                number.is_some_and(|number| within(value, number, tolerance * (1.0 + 1e-12)))
+            }
+            Self::GenusBound { sphere, .. } if point.genus == 0.0 => value == *sphere,
+            Self::GenusBound { slope, offset, .. } => value <= slope * point.genus + offset,
+            Self::BelowOneOnlyOn { winners } => (value < 1.0) == winners.contains(&point.mesh),
+            _ => unreachable!("tests of several meshes at once are not asked about one"),
+        }
+    }
+}
+
+/// Whether `value` and `number` differ by a factor of at most `tolerance`.
+fn within(value: f64, number: f64, tolerance: f64) -> bool {
+    value <= number * tolerance && value * tolerance >= number
+}
+
+/// The least and the greatest value.
+fn range_of(points: &[Point]) -> String {
+    let (low, high) = extremes(points);
+    let meshes = if points.len() == 1 { "mesh" } else { "meshes" };
+    let count = points.len();
+    if low == high {
+        format!("{} on {count} {meshes}", significant(low))
+    } else {
+        format!("{} to {} on {count} {meshes}", significant(low), significant(high))
+    }
+}
+
+fn extremes(points: &[Point]) -> (f64, f64) {
+    let values = points.iter().map(|point| point.value);
+    (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
+}
+
+fn whole(holds: bool, found: String) -> Test {
+    Test { holds, found, broken_on: Vec::new() }
+}
+
+fn monotone(points: &[Point], direction: Direction, share: f64) -> Test {
+    let (mut pairs, mut agreeing) = (0_u32, 0_u32);
+    for (i, one) in points.iter().enumerate() {
+        for other in points[..i].iter().filter(|other| other.along != one.along) {
+            let rises = (one.value - other.value) * (one.along - other.along);
+            pairs += 1;
+            agreeing += u32::from(match direction {
+                Direction::Rises => rises > 0.0,
+                Direction::Falls => rises < 0.0,
+            });
+        }
+    }
+    let holds = pairs > 0 && f64::from(agreeing) >= share * f64::from(pairs);
+    let word = if direction == Direction::Rises { "rises" } else { "falls" };
+    whole(holds, format!("{word} in {agreeing} of {pairs} pairs of meshes; {}", range_of(points)))
+}
+
+fn exponent(points: &[Point], low: f64, high: f64) -> Test {
+    let pairs: Vec<(f64, f64)> = points.iter().map(|point| (point.along, point.value)).collect();
+    let Some(fit) = PowerLaw::through(&pairs) else {
+        return whole(false, "no exponent: sizes or values do not differ".into());
+    };
+    let interval =
+        fit.interval.map_or(String::new(), |(low, high)| format!(" [{low:.3}, {high:.3}]"));
+    let found = format!("exponent {:.3}{interval} on {} meshes", fit.exponent, fit.n);
+    whole((low..=high).contains(&fit.exponent), found)
+}
+
+fn largest_on(points: &[Point], mesh: &str) -> Test {
+    let mut sorted: Vec<&Point> = points.iter().collect();
+    sorted.sort_by(|one, other| other.value.total_cmp(&one.value));
+    let largest = sorted[0];
+    let found = format!("largest on {}: {}", largest.mesh, significant(largest.value));
+    whole(largest.mesh == mesh, found)
+}
+
+fn constant(points: &[Point], factor: f64) -> Test {
+    let (low, high) = extremes(points);
+    whole(low > 0.0 && high <= low * factor, range_of(points))
+}
+
+fn product_law(points: &[Point], base: &str, factor: f64) -> Test {
+    let Some(base) = points.iter().find(|point| point.mesh == base) else {
+        return whole(false, "the mesh to compare with is missing".into());
+    };
+    let change =
+        |number: fn(&Point) -> f64, point: &Point| (number(point) - number(base)) / number(base);
+    let law = |point: &Point| {
+        let product = change(|p| p.triangles, point) * change(|p| p.genus, point);
+        Point { value: change(|p| p.value, point) / product, ..point.clone() }
+    };
+    let others = points.iter().filter(|point| point.mesh != base.mesh);
+    let test = constant(&others.map(law).collect::<Vec<_>>(), factor);
+    Test { found: format!("δt/(δf δg): {}", test.found), ..test }
+}
+
+fn scaled(points: &[Point], printed: &[Point]) -> Test {
+    let both: Vec<(&Point, &Point)> = points
+        .iter()
+        .filter_map(|ours| Some((ours, printed.iter().find(|paper| paper.mesh == ours.mesh)?)))
+        .collect();
+    let factors: Vec<f64> = both.iter().map(|(ours, paper)| paper.along / ours.along).collect();
+    let Some(Statistics { median: factor, .. }) = Statistics::of(&factors) else {
+        return whole(false, "no printed seconds".into());
+    };
+    let estimates = both.iter().map(|(ours, paper)| {
+        let estimate = significant(ours.value * factor);
+        format!("{} {estimate} (printed {})", ours.mesh, significant(paper.value))
+    });
+    let estimates: Vec<String> = estimates.collect();
+    whole(true, format!("estimates, ours × {}: {}", significant(factor), estimates.join("; ")))
+}

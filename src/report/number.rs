@@ -1,0 +1,78 @@
+//! How numbers are written in tables: the same digits on every machine.
+
+/// Seconds, to the digits that the papers print.
+pub fn seconds(value: f64) -> String {
+    format!("{value:.8}")
+}
+
+/// Per cent, to the digits that the papers print.
+pub fn percent(value: f64) -> String {
+    format!("{value:.4}")
+}
+
+/// A mean of counts, to the digit that the papers print.
+pub fn mean_count(value: f64) -> String {
+    format!("{value:.1}")
+}
+
+/// A number whose size is not known beforehand, such as a ratio: four significant digits, with an
+/// exponent where it is below 10^-4 or 10^7 and more.
+pub fn significant(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let scientific = format!("{value:.3e}");
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
+    match exponent {
+        Some(exponent @ -4..=6) => {
+            format!("{value:.*}", usize::try_from(3 - exponent).unwrap_or(0))
+        }
+        _ => scientific,
+    }
+}
+
+/// Writes what there is, and nothing for what there is not.
+pub fn or_empty<T>(value: Option<T>, write: impl Fn(T) -> String) -> String {
+    value.map(write).unwrap_or_default()
+}
+
+/// The quotient, where both numbers are known and the second is not 0.
+pub fn quotient(top: Option<f64>, bottom: Option<f64>) -> Option<f64> {
+    match (top, bottom) {
+        (Some(top), Some(bottom)) if bottom != 0.0 => Some(top / bottom),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_significant_digits_of_any_size() {
+        let written = [
+            (0.0, "0"),
+            (1.0, "1.000"),
+            (0.123_456, "0.1235"),
+            (0.999_96, "1.000"),
+            (12.345, "12.35"),
+            (-1234.5, "-1234"),
+            (1_234_567.0, "1234567"),
+            (12_345_678.0, "1.235e7"),
+            (0.000_123_44, "0.0001234"),
+            (0.000_012_344, "1.234e-5"),
+            (f64::NAN, "NaN"),
+        ];
+        for (value, expected) in written {
+            assert_eq!(significant(value), expected);
+        }
+    }
+
+    #[test]
+    fn quotients_need_both_and_no_zero() {
+        assert_eq!(quotient(Some(3.0), Some(2.0)), Some(1.5));
+        for (top, bottom) in [(None, Some(1.0)), (Some(1.0), None), (Some(1.0), Some(0.0))] {
+            assert_eq!(quotient(top, bottom), None);
+        }
+    }
+}

@@ -1,0 +1,490 @@
+//! Tables and verdicts from records that never happened.
+#![cfg(feature = "report")]
+
+#[path = "common/records.rs"]
+mod records;
+
+use std::collections::BTreeSet;
+
+use records::{conversion, of_the_papers, planned, run};
+use triquad::experiment::{Outcome, Results, RunRecord};
+use triquad::generate::paper;
+use triquad::report::claims::{Claim, Kind};
+use triquad::report::paper::{PairingRow, Table};
+use triquad::report::{Judged, ReportTable, Summary, Verdict, claims, compare, tables};
+
+fn table(results: &Results, file: &str) -> ReportTable {
+    let tables = tables::all(&Summary::of(results));
+    tables.into_iter().find(|table| table.file == file).expect(file)
+}
+
+/// The field of a row of a table, found by the first fields of the row.
+fn field<'a>(table: &'a ReportTable, row: &[&str], column: &str) -> &'a str {
+    let column = table.header.iter().position(|name| name == column).expect(column);
+    let mut rows = table.rows.iter().filter(|fields| fields.iter().zip(row).all(|(f, r)| f == r));
+    let found = rows.next().unwrap_or_else(|| panic!("{row:?}"));
+    assert_eq!(rows.next(), None, "{row:?} stands twice");
+    &found[column]
+}
+
+#[test]
+fn cells_are_in_the_order_of_the_papers_whatever_the_order_of_the_rows() {
+    let mut results = of_the_papers();
+    let local = |run: &RunRecord| RunRecord { augmentation: Some("local".into()), ..run.clone() };
+    let few = |run: &RunRecord| RunRecord { lrs_variant: Some("few-flips".into()), ..run.clone() };
+    let lrs = results.records.iter().find(|run| run.algorithm == "lrs").unwrap().clone();
+    let of_user = RunRecord { group: "data".into(), mesh: "zebra".into(), ..lrs.clone() };
+    results.records.extend([local(&lrs), few(&lrs), local(&few(&lrs)), of_user.clone()]);
+    results.records.push(RunRecord { mesh: "ape".into(), ..of_user.clone() });
+    results.records.push(RunRecord { mesh: "ant".into(), triangles: Some(4), ..of_user });
+    let summary = Summary::of(&results);
+    results.records.reverse();
+    results.planned.reverse();
+    assert_eq!(Summary::of(&results), summary);
+    let first = summary.cells().iter().take(8).map(|cell| (cell.mesh.as_str(), cell.label()));
+    let labels = ["SG", "PS", "DS", "LRS", "LRS local", "LRS few-flips", "LRS few-flips local"];
+    let expected = labels.iter().map(|label| ("botijo", (*label).to_owned()));
+    assert!(first.eq(expected.chain([("eros", "SG".into())])));
+    let mut groups: Vec<_> =
+        summary.cells().iter().map(|c| (c.experiment.as_str(), c.group.as_str())).collect();
+    groups.dedup();
+    let [comparison, irreducible] =
+        [["scans", "A", "B", "data"], ["scans", "B", "C", "D"]].map(|groups| groups.into_iter());
+    let expected = comparison.map(|group| ("comparison", group));
+    assert!(groups.into_iter().eq(expected.chain(irreducible.map(|group| ("irreducible", group)))));
+    let data: Vec<_> =
+        summary.of_group("comparison", Some("data")).map(|cell| cell.mesh.as_str()).collect();
+    assert_eq!(data, ["ant", "ape", "zebra"]);
+}
+
+#[test]
+fn a_cell_is_found_by_what_was_run() {
+    let mut results = of_the_papers();
+    let small = RunRecord { scale: "small".into(), ..results.records[0].clone() };
+    results.records.insert(0, small);
+    let summary = Summary::of(&results);
+    let found = summary.cell("comparison", "eros", "lrs", None, "tarjan").unwrap();
+    assert_eq!((found.label().as_str(), found.runs.len()), ("LRS", 2));
+    assert_eq!(
+        found,
+        summary.cell("comparison", "eros", "lrs", Some("printed"), "tarjan").unwrap()
+    );
+    assert_eq!(summary.cell("comparison", "eros", "lrs", Some("few-flips"), "tarjan"), None);
+    assert_eq!(summary.cell("comparison", "eros", "lrs", None, "local"), None);
+    assert_eq!(summary.cell("irreducible", "eros", "rs", None, "file").unwrap().label(), "RS");
+    // Of two scales, the larger.
+    assert_eq!(summary.cell("comparison", "botijo", "sg", None, "tarjan").unwrap().scale, "full");
+}
+
+#[test]
+fn only_runs_that_ended_well_count_and_none_vanishes() {
+    let row = &Table::numbered("4.3").unwrap().pairing_rows()[1];
+    let good = conversion("scans", row);
+    let bad = |repetition, outcome| RunRecord {
+        repetition,
+        outcome,
+        pairing_seconds: Some(1e9),
+        ..good.clone()
+    };
+    let results = Results {
+        planned: vec![planned(&good, 5), planned(&good, 5)],
+        records: vec![bad(3, Outcome::Crash), bad(1, Outcome::Timeout), good.clone()],
+        ..Results::default()
+    };
+    let summary = Summary::of(&results);
+    let [cell] = summary.cells() else { panic!("one cell") };
+    assert_eq!(cell.outcome_text(), "ok 1, timeout 1, crash 1, missing 2");
+    let statistics = cell.statistics(|run| run.pairing_seconds).unwrap();
+    assert_eq!((statistics.n, statistics.maximum), (1, row.pairing_seconds));
+    assert_eq!(cell.statistics(|run| run.seconds), None);
+}
+
+#[test]
+fn tables_hold_the_papers_own_numbers_when_they_are_the_records() {
+    let results = of_the_papers();
+    for number in ["4.3", "4.4(i)", "4.4(ii)"] {
+        let printed = Table::numbered(number).unwrap();
+        let ours = table(&results, printed.file());
+        for PairingRow { mesh, algorithm, unpaired_triangles, pairing_seconds, errata, .. } in
+            printed.pairing_rows()
+        {
+            let field = |column| field(&ours, &[&mesh, &algorithm], column);
+            assert_eq!(field("pairing_seconds"), format!("{pairing_seconds:.8}"));
+            assert_eq!(field("paper_pairing_seconds"), field("pairing_seconds"));
+            assert_eq!(field("unpaired_triangles"), format!("{unpaired_triangles:.1}"));
+            assert_eq!(field("paper_unpaired_triangles"), field("unpaired_triangles"));
+            let same = if unpaired_triangles == 0.0 { "" } else { "1.000" };
+            assert_eq!(field("ratio_unpaired_triangles"), same);
+            assert_eq!(field("paper_errata"), errata);
+            assert_eq!(field("extrapolated"), "");
+        }
+    }
+    for number in ["6", "8", "10"] {
+        let ours = table(&results, Table::numbered(number).unwrap().file());
+        let column = ours.header.iter().position(|name| name.starts_with("ratio")).unwrap();
+        assert!(ours.rows.iter().all(|row| row[column..column + 5].iter().all(|r| r == "1.000")));
+    }
+    for number in ["7", "9", "11"] {
+        let printed = Table::numbered(number).unwrap();
+        let ours = table(&results, printed.file());
+        for row in printed.ratio_rows() {
+            let found: f64 = field(&ours, &[&row.mesh], "schipper_to_rs_seconds").parse().unwrap();
+            assert!((found - row.schipper_to_rs_seconds).abs() < 0.005, "{}", row.mesh);
+        }
+    }
+    for number in ["4.1", "4.2(a)", "4.2(b)", "2", "3", "4", "5"] {
+        let ours = table(&results, Table::numbered(number).unwrap().file());
+        for row in &ours.rows {
+            let agrees = row.iter().any(|field| field == "yes");
+            let errata = row.last().unwrap();
+            assert_eq!(agrees, errata.is_empty(), "{row:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_missing_or_went_wrong_stands_in_the_tables() {
+    let mut results = of_the_papers();
+    results.records.retain(|run| (run.mesh.as_str(), run.algorithm.as_str()) != ("eros", "ds"));
+    for run in results.records.iter_mut().filter(|run| run.mesh == "gargoyle") {
+        run.outcome = Outcome::Timeout;
+    }
+    results.records.retain(|run| run.mesh != "filigree");
+    results.planned.retain(|cell| cell.mesh != "filigree");
+    let ours = table(&results, "table_4_3.csv");
+    assert_eq!(ours.rows.len(), 24);
+    assert_eq!(field(&ours, &["eros", "ds"], "outcomes"), "missing 2");
+    assert_eq!(field(&ours, &["eros", "ds"], "total_seconds"), "");
+    assert_eq!(field(&ours, &["eros", "ds"], "triangles"), "394456");
+    assert_eq!(field(&ours, &["gargoyle", "ps"], "outcomes"), "timeout 10");
+    assert_eq!(field(&ours, &["gargoyle", "ps"], "pairing_seconds"), "");
+    assert_eq!(field(&ours, &["filigree", "ps"], "outcomes"), "not planned");
+    assert!(ours.notes.iter().any(|note| note.contains("missing")), "{:?}", ours.notes);
+    assert_eq!(field(&table(&results, "table_4_1.csv"), &["filigree"], "agrees"), "not run");
+    // Nothing at all makes tables too.
+    for table in tables::all(&Summary::of(&Results::default())) {
+        assert!(table.rows.iter().all(|row| row.len() == table.header.len()), "{}", table.file);
+        assert!(table.csv().starts_with("mesh,"));
+    }
+}
+
+#[test]
+fn stand_ins_extrapolation_and_disturbed_runs_are_told() {
+    let mut results = of_the_papers();
+    for run in results.records.iter_mut().filter(|run| run.mesh == "eros") {
+        run.mesh_kind = "stand-in".into();
+        if run.algorithm == "sg" {
+            run.stopped_after_paths = Some(run.unpaired_triangles.unwrap() / 20);
+        }
+    }
+    results.records.iter_mut().for_each(|run| run.parallel_jobs = 2);
+    let ours = table(&results, "table_4_3.csv");
+    assert_eq!(field(&ours, &["eros", "sg"], "mesh_kind"), "stand-in");
+    assert_eq!(field(&ours, &["eros", "sg"], "extrapolated"), "yes");
+    let time: f64 = field(&ours, &["eros", "sg"], "augmentation_seconds").parse().unwrap();
+    assert!((time / 8132.045 - 1.0).abs() < 0.01, "{time}: a tenth of the paths took 813.2 s");
+    for words in ["A stand-in", "Extrapolated", "beside others"] {
+        assert!(ours.notes.iter().any(|note| note.contains(words)), "{words}");
+    }
+    let ratios = table(&results, "table_7.csv");
+    assert_eq!(field(&ratios, &["ir-B0"], "schipper_to_rs_seconds"), "");
+    assert_eq!(field(&ratios, &["ir-B0"], "schipper_to_rs_tests"), "1.008");
+}
+
+#[test]
+fn both_augmentations_stand_side_by_side() {
+    let mut results = of_the_papers();
+    let locals = results.records.clone().into_iter().filter(|run| run.experiment == "comparison");
+    results.records.extend(locals.map(|run| RunRecord {
+        augmentation: Some("local".into()),
+        augmentation_seconds: run.augmentation_seconds.map(|seconds| seconds / 100.0),
+        ..run
+    }));
+    let only_local =
+        RunRecord { algorithm: "tq".into(), ..results.records.last().unwrap().clone() };
+    results.records.push(RunRecord { lrs_variant: None, ..only_local });
+    let ours = table(&results, "table_augmentation.csv");
+    let found = |column| field(&ours, &["eros", "PS"], column);
+    assert_eq!(found("tarjan_augmentation_seconds"), "0.06892860");
+    assert_eq!(found("local_augmentation_seconds"), "0.00068929");
+    assert_eq!(found("tarjan_unpaired_triangles"), found("local_unpaired_triangles"));
+    assert_eq!(found("total_seconds_tarjan_to_local"), "1.110");
+    assert_eq!(field(&ours, &["B5", "TQ"], "tarjan_outcomes"), "not planned");
+    assert_eq!(field(&ours, &["B5", "TQ"], "local_outcomes"), "ok 1");
+}
+
+#[test]
+fn what_edge_flips_and_memory_cost_has_a_table() {
+    let mut results = of_the_papers();
+    results.records.push(RunRecord {
+        group: "data".into(),
+        mesh: "zebra".into(),
+        ..run("comparison", "data", "socket", "tq")
+    });
+    let quality = table(&results, "table_quality.csv");
+    assert_eq!(field(&quality, &["botijo", "LRS"], "scaled_jacobian_minimum"), "-0.9000");
+    assert_eq!(field(&quality, &["botijo", "LRS"], "edge_flips_percent"), "5.651");
+    let memory = table(&results, "table_memory.csv");
+    assert_eq!(field(&memory, &["ir-B0", "BF"], "peak_memory_bytes_per_triangle"), "100.0");
+    let data = table(&results, "table_data.csv");
+    assert_eq!(data.rows.len(), 1);
+    assert_eq!(field(&data, &["zebra", "TQ"], "triangles"), "1696");
+}
+
+#[test]
+fn every_table_is_rectangular_and_has_a_file_of_its_own() {
+    let tables = tables::all(&Summary::of(&of_the_papers()));
+    let files: BTreeSet<&str> = tables.iter().map(|table| table.file).collect();
+    assert_eq!(files.len(), tables.len());
+    for printed in Table::ALL {
+        let ours = tables.iter().find(|table| table.number == printed.number()).unwrap();
+        assert_eq!(ours.file, printed.file());
+    }
+    for table in tables {
+        let names: BTreeSet<&String> = table.header.iter().collect();
+        assert_eq!(names.len(), table.header.len(), "{}", table.file);
+        assert!(table.rows.iter().all(|row| row.len() == table.header.len()), "{}", table.file);
+    }
+}
+
+/// What the papers print satisfies exactly the claims that are not said to be inconsistent.
+#[test]
+fn claims_hold_of_the_papers_own_numbers_unless_they_are_said_to_be_inconsistent() {
+    let mut judged = 0;
+    for claim in claims::all() {
+        if let Some(holds) = compare::holds_of_the_paper(&claim) {
+            assert_eq!(holds, claim.inconsistent.is_none(), "{}", claim.id);
+            judged += 1;
+        }
+    }
+    assert!(judged >= 80, "{judged} claims can be tested on printed numbers");
+}
+
+fn judged(results: &Results) -> Vec<Judged> {
+    compare::judge(&Summary::of(results)).verdicts
+}
+
+/// The verdict on one claim, with its detail.
+fn verdict<'a>(verdicts: &'a [Judged], id: &str) -> (Verdict, &'a str) {
+    let found = verdicts.iter().find(|judged| judged.id == id).expect(id);
+    (found.verdict, &found.detail)
+}
+
+#[test]
+fn there_are_claims_of_both_papers_and_each_has_a_name_of_its_own() {
+    let claims = claims::all();
+    let ids: BTreeSet<&str> = claims.iter().map(|claim| claim.id.as_str()).collect();
+    assert_eq!(ids.len(), claims.len());
+    for paper in ["comparison", "irreducible"] {
+        let of_paper = claims.iter().filter(|claim| claim.experiment == paper);
+        assert!(of_paper.clone().count() >= 30, "{paper}");
+        assert!(of_paper.clone().all(|claim| claim.source.starts_with(paper)));
+    }
+    for claim in &claims {
+        let names = claim.mesh_names();
+        let known = |name: &String| paper::named(name).is_some();
+        assert!(!names.is_empty() && names.iter().all(known), "{}: {names:?}", claim.id);
+        let is_about_times = claim.kind != Kind::MachineFree && claim.kind != Kind::Exponent;
+        assert!(!is_about_times || claim.is_about_times(), "{}", claim.id);
+        assert!(claim.kind != Kind::MachineFree || !claim.is_about_times(), "{}", claim.id);
+    }
+}
+
+#[test]
+fn records_as_printed_reproduce_every_claim_that_is_consistent() {
+    let verdicts = judged(&of_the_papers());
+    for (judged, claim) in verdicts.iter().zip(claims::all()) {
+        let expected = match (&claim.inconsistent, claim.kind) {
+            (Some(_), _) => Verdict::PaperInconsistent,
+            (None, Kind::Seconds) => Verdict::NotComparable,
+            (None, _) => Verdict::Reproduced,
+        };
+        assert_eq!(judged.verdict, expected, "{judged:#?}");
+        if claim.inconsistent.is_some() {
+            assert!(judged.detail.contains("it does not hold"), "{}", judged.detail);
+        }
+        assert!(!judged.ours.is_empty());
+    }
+    let found = verdicts.iter().find(|judged| judged.id == "seconds-lrs").unwrap();
+    assert!(found.ours.contains("ours × 1.000: botijo 0.7217 (printed 0.7217)"), "{}", found.ours);
+}
+
+/// Numbers of one algorithm a thousand times larger or smaller, on all meshes, on one or on every other,
+/// refute any claim about it.
+#[test]
+fn every_claim_can_fail() {
+    let as_printed = of_the_papers();
+    for claim in claims::all() {
+        if claim.inconsistent.is_some() || claim.kind == Kind::Seconds {
+            continue;
+        }
+        let meshes = claim.mesh_names();
+        let others: Vec<String> = meshes.iter().step_by(2).cloned().collect();
+        let (first, last) = (&meshes[..1], &meshes[meshes.len() - 1..]);
+        let refuted = [&meshes[..], first, last, &others].into_iter().any(|meshes| {
+            [1000.0, 0.001].into_iter().any(|factor| {
+                let results = changed(&as_printed, &claim, meshes, factor);
+                let verdicts = compare::judge_claims(&[claim.clone()], &Summary::of(&results));
+                verdicts.verdicts[0].verdict == Verdict::Differs
+            })
+        });
+        assert!(refuted, "{}", claim.id);
+    }
+}
+
+/// These records, the first number of the claim multiplied on these meshes.
+fn changed(results: &Results, claim: &Claim, meshes: &[String], factor: f64) -> Results {
+    let mut results = results.clone();
+    let first = &claim.value.factors[0];
+    let concerned = results.records.iter_mut().filter(|run| {
+        meshes.contains(&run.mesh) && first.algorithm.as_ref().is_none_or(|a| *a == run.algorithm)
+    });
+    for run in concerned {
+        multiply(run, first.number.name, factor);
+    }
+    results
+}
+
+fn multiply(run: &mut RunRecord, name: &str, factor: f64) {
+    let scale = |count: &mut Option<u64>| {
+        // A count of 0 is no longer one.
+        *count = count.map(|count| (((count + 1) as f64) * factor) as u64);
+    };
+    let stretch = |time: &mut Option<f64>| *time = time.map(|time| time * factor);
+    match name {
+        "triangles" => scale(&mut run.triangles),
+        "unpaired_triangles" => scale(&mut run.unpaired_triangles),
+        "paired_percent" => stretch(&mut run.paired_percent),
+        "edge_flips" => scale(&mut run.edge_flips),
+        "augmenting_path_length_mean" => stretch(&mut run.augmenting_path_length_mean),
+        "augmentation_triangles_visited" => scale(&mut run.augmentation_triangles_visited),
+        "link_condition_tests" => scale(&mut run.link_condition_tests),
+        "edges_tested_more_than_once" => scale(&mut run.edges_tested_more_than_once),
+        "result_vertices" => scale(&mut run.result_vertices),
+        "pairing_seconds" => stretch(&mut run.pairing_seconds),
+        "augmentation_seconds" => stretch(&mut run.augmentation_seconds),
+        "total_seconds" => {
+            stretch(&mut run.pairing_seconds);
+            stretch(&mut run.augmentation_seconds);
+        }
+        "seconds" => stretch(&mut run.seconds),
+        other => panic!("no claim begins with {other}"),
+    }
+}
+
+#[test]
+fn what_cannot_be_judged_says_why() {
+    let mut results = of_the_papers();
+    for run in results.records.iter_mut().filter(|run| run.mesh == "eros") {
+        run.mesh_kind = "stand-in".into();
+    }
+    for run in results.records.iter_mut().filter(|run| run.mesh == "A1" && run.algorithm == "ps") {
+        run.outcome = Outcome::Timeout;
+    }
+    let verdicts = judged(&results);
+    // A structure is judged, the kind of the mesh named.
+    let (found, detail) = verdict(&verdicts, "sg-share");
+    assert_eq!(found, Verdict::Reproduced);
+    assert!(detail.contains("eros (stand-in) 0.1234"), "{detail}");
+    // A number of the mesh itself is not.
+    let (found, detail) = verdict(&verdicts, "sg-unpaired");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(detail.contains("without: eros (a stand-in, not the paper's mesh)"), "{detail}");
+    let (found, detail) = verdict(&verdicts, "lrs-beats-ps-boxes");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(detail.starts_with("only 4 of 5 meshes"), "{detail}");
+    assert!(detail.contains("A1 (ps: timeout 10)"), "{detail}");
+
+    results.records.iter_mut().for_each(|run| run.parallel_jobs = 2);
+    let verdicts = judged(&results);
+    let (found, detail) = verdict(&verdicts, "sg-300-times");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(detail.contains("beside others"), "{detail}");
+    assert_eq!(verdict(&verdicts, "lrs-genus-0").0, Verdict::Reproduced);
+
+    results.records.iter_mut().for_each(|run| run.scale = "demo".into());
+    results.planned.iter_mut().for_each(|cell| cell.scale = "demo".into());
+    let verdicts = judged(&results);
+    let (found, detail) = verdict(&verdicts, "lrs-66-times");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(detail.contains("scale demo"), "{detail}");
+    assert_eq!(verdict(&verdicts, "ps-share").0, Verdict::NotComparable);
+    assert_eq!(verdict(&verdicts, "sg-share").0, Verdict::Reproduced);
+
+    let verdicts = judged(&Results::default());
+    for (judged, claim) in verdicts.iter().zip(claims::all()) {
+        let expected = match claim.inconsistent {
+            Some(_) => Verdict::PaperInconsistent,
+            None => Verdict::NotComparable,
+        };
+        assert_eq!(judged.verdict, expected);
+    }
+}
+
+/// One mesh is enough to refute what is said of each, whatever is missing elsewhere.
+#[test]
+fn a_claim_about_every_mesh_is_refuted_by_one() {
+    let mut results = of_the_papers();
+    results.records.retain(|run| run.mesh != "gargoyle");
+    for run in results.records.iter_mut().filter(|run| run.mesh == "eros") {
+        run.unpaired_triangles = Some(6);
+    }
+    let verdicts = judged(&results);
+    let (found, detail) = verdict(&verdicts, "lrs-genus-0");
+    assert_eq!(found, Verdict::Differs);
+    assert!(detail.starts_with("does not hold on eros. eros"), "{detail}");
+    assert!(detail.contains("eros (real) 6.000 ✗"), "{detail}");
+    assert!(
+        detail.contains("without: gargoyle (not run)") || detail.contains("missing"),
+        "{detail}"
+    );
+}
+
+#[test]
+fn ratios_have_intervals_where_runs_were_repeated() {
+    let mut results = of_the_papers();
+    for run in results.records.iter_mut().filter(|run| run.algorithm == "ps") {
+        let noise = 1.0 + 0.01 * f64::from(run.repetition);
+        run.pairing_seconds = run.pairing_seconds.map(|time| time * noise);
+    }
+    let verdicts = judged(&results);
+    let (_, detail) = verdict(&verdicts, "sg-pairing-faster");
+    let start = detail.find("eros (real) 64.08 [").expect(detail) + "eros (real) 64.08 [".len();
+    let interval: Vec<f64> = detail[start..]
+        .split(']')
+        .next()
+        .unwrap()
+        .split(", ")
+        .map(|n| n.parse().unwrap())
+        .collect();
+    assert!(interval[0] > 62.5 && interval[0] < 63.8, "{interval:?}");
+    assert!(interval[1] > 64.3 && interval[1] < 65.7, "{interval:?}");
+    assert_eq!(judged(&results), verdicts);
+}
+
+#[test]
+fn claims_that_no_one_can_make_are_refused() {
+    let good = r#"
+        [[claim]]
+        id = "a"
+        statement = "b"
+        source = "comparison, section 4"
+        kind = "ratio"
+        experiment = "comparison"
+        meshes = ["A1"]
+        value = "sg.total_seconds"
+        predicate = { type = "range", low = 1 }
+    "#;
+    assert_eq!(claims::parse(good).unwrap().len(), 1);
+    for (from, to) in [
+        ("sg.total_seconds", "sg.beauty"),
+        ("type = \"range\"", "type = \"rank\""),
+        ("low = 1", "least = 1"),
+        ("kind = \"ratio\"", "kind = \"rumour\""),
+        ("id = \"a\"", ""),
+        ("statement", "statment"),
+    ] {
+        assert!(good.contains(from), "{from}");
+        assert!(claims::parse(&good.replace(from, to)).is_err(), "{from} {to}");
+    }
+}
