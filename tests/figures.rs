@@ -55,10 +55,7 @@ fn flips_are_blue_and_darts_are_orange_and_nothing_else_is() {
     let positions = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 4.0, 0.0]];
     let quads =
         FaceList { positions, faces: Faces::uniform(4, vec![0, 1, 2, 3]), ..FaceList::default() };
-    let with_sides = FaceList {
-        faces: Faces::uniform(3, vec![0, 1, 2, 0, 2, 3]),
-        ..quads.clone()
-    };
+    let with_sides = FaceList { faces: Faces::uniform(3, vec![0, 1, 2, 0, 2, 3]), ..quads.clone() };
     let without = FaceList { faces: Faces::uniform(3, vec![0, 1, 3]), ..quads.clone() };
     let square = FaceList {
         positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
@@ -71,7 +68,10 @@ fn flips_are_blue_and_darts_are_orange_and_nothing_else_is() {
     };
     assert_eq!(colours(&quads, &with_sides), (false, true));
     assert_eq!(colours(&quads, &without), (true, true));
-    assert_eq!(colours(&square, &FaceList { positions: square.positions.clone(), ..with_sides }), (false, false));
+    assert_eq!(
+        colours(&square, &FaceList { positions: square.positions.clone(), ..with_sides }),
+        (false, false)
+    );
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod input;
 mod irreducible;
 mod machine;
 mod merge;
+mod pictures;
 mod plan;
 mod progress;
 mod run;

@@ -13,7 +13,7 @@ use triquad::experiment::record::{Outcome, RunRecord};
 use triquad::experiment::run::{Observer, Runner};
 
 use super::experiments::{Selection, duration};
-use super::{Failure, generate, stdio};
+use super::{Failure, generate, pictures, stdio};
 
 /// Carry out experiments, each run in a process of its own, each a row of runs.csv
 ///
@@ -68,6 +68,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let view = View::new(out);
     let clock = SystemClock::default();
+    for mesh in &plan.pictured {
+        pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash)?;
+    }
     runner.execute(&plan, &mut journal, &clock, &view).map_err(failure)?;
     view.finish(&journal)
 }
@@ -99,7 +102,7 @@ impl Pace {
     /// What is left, in the time of those that were run.
     fn seconds_left(&self) -> f64 {
         let factor = if self.estimated > 1.0 { self.taken / self.estimated } else { 1.0 };
-        self.left * factor
+        (self.left * factor).max(0.0)
     }
 }
 

@@ -17,6 +17,8 @@ pub struct Plan {
     /// One block is one mesh and one repetition with all its algorithms: what is compared runs
     /// together, on one machine.
     pub blocks: Vec<Block>,
+    /// The meshes whose quads are drawn.
+    pub pictured: Vec<PlannedMesh>,
     /// What a reader should know of the meshes.
     pub remarks: Vec<String>,
 }
@@ -95,10 +97,16 @@ impl Plan {
         scale: Scale,
         data: &[DataMesh],
     ) -> Result<Self, UnknownMesh> {
-        let mut plan = Self { scale, blocks: Vec::new(), remarks: Vec::new() };
+        let mut plan =
+            Self { scale, blocks: Vec::new(), pictured: Vec::new(), remarks: Vec::new() };
         for experiment in experiments {
             for group in &experiment.groups {
                 plan.add_group(experiment, group, data)?;
+            }
+            if let Some(name) = &experiment.pictures {
+                let named = plan.blocks.iter().find(|block| block.mesh.name == *name);
+                let pictured = named.map(|block| block.mesh.clone());
+                plan.pictured.push(pictured.ok_or_else(|| unknown(experiment, name))?);
             }
         }
         Ok(plan)
@@ -113,10 +121,7 @@ impl Plan {
         let mut meshes = Vec::new();
         for name in &group.meshes {
             let mesh = self.find_mesh(name, data);
-            meshes.push(mesh.ok_or_else(|| UnknownMesh {
-                experiment: experiment.name.clone(),
-                name: name.clone(),
-            })?);
+            meshes.push(mesh.ok_or_else(|| unknown(experiment, name))?);
         }
         if group.other_data && self.scale == Scale::Full {
             meshes.extend(self.other_data(data));
@@ -221,6 +226,10 @@ impl Plan {
             repetitions: run.repetitions,
         }
     }
+}
+
+fn unknown(experiment: &Experiment, name: &str) -> UnknownMesh {
+    UnknownMesh { experiment: experiment.name.clone(), name: name.into() }
 }
 
 /// A seed of this run alone, the same for each way to augment: adding a run moves no other.

@@ -162,9 +162,10 @@ fn tint(shape: f64) -> [u8; 3] {
 /// The vertex that is seen nearest to the middle of the bounding box.
 fn middle_vertex(mesh: &FaceList, direction: [f64; 3]) -> Option<[f64; 3]> {
     let used = mesh.faces.corners().iter().map(|&v| mesh.positions[v as usize]);
-    let bounds = used.clone().fold(([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]), |(low, high), p| {
-        ([0, 1, 2].map(|i| low[i].min(p[i])), [0, 1, 2].map(|i| high[i].max(p[i])))
-    });
+    let bounds =
+        used.clone().fold(([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]), |(low, high), p| {
+            ([0, 1, 2].map(|i| low[i].min(p[i])), [0, 1, 2].map(|i| high[i].max(p[i])))
+        });
     let middle = [0, 1, 2].map(|i| bounds.0[i] / 2.0 + bounds.1[i] / 2.0);
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let aside = |p: [f64; 3]| {

@@ -6,10 +6,11 @@
 
 pub mod claims;
 pub mod compare;
+pub mod figures;
 pub mod fit;
+pub mod gallery;
 pub mod number;
 pub mod paper;
-pub mod figures;
 pub mod picture;
 pub mod statistics;
 pub mod summary;
