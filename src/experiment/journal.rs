@@ -249,6 +249,24 @@ mod tests {
         assert_eq!(journal.results().damaged[0].line, 3);
     }
 
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_is_told_and_loses_no_row() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut journal = Journal::open(folder.path()).unwrap();
+        journal.append(record("a")).unwrap();
+        let disk = std::mem::replace(
+            &mut journal.file,
+            OpenOptions::new().append(true).open("/dev/full").unwrap(),
+        );
+        let error = journal.append(record("b")).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::StorageFull);
+        assert_eq!(keys(&journal), ["a"]);
+        journal.file = disk;
+        journal.append(record("b")).unwrap();
+        assert_eq!(Journal::open(folder.path()).unwrap().results().records.len(), 2);
+    }
+
     #[test]
     fn only_a_timeout_on_a_smaller_mesh_counts() {
         let folder = tempfile::tempdir().unwrap();

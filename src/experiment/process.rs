@@ -107,6 +107,13 @@ mod tests {
         assert_eq!(outcome("exec sleep 60", "stopped after 1 s"), Outcome::Timeout);
     }
 
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn memory_is_limited() {
+        let limit = ending("sleep 0.3; ulimit -v", 9).output;
+        assert_eq!(String::from_utf8(limit).unwrap().trim(), (1_000_000_000 / 1024).to_string());
+    }
+
     #[test]
     fn everything_that_a_process_says_is_read() {
         let long = ending("head -c 300000 /dev/zero | tr '\\0' x >&2; echo '{}'", 9);

@@ -361,3 +361,40 @@ fn fill(record: &RunRecord, output: &[u8]) -> Result<RunRecord, String> {
     }
     serde_json::from_value(row).map_err(|error| format!("its record cannot be used: {error}"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::paper;
+
+    fn mesh() -> PlannedMesh {
+        let made = paper::named("A5").unwrap();
+        let (vertices, triangles) = (made.vertices, made.triangles());
+        let source = Source::Made(made, Scale::Full);
+        PlannedMesh { name: "A5".into(), vertices, triangles, genus: 0, source }
+    }
+
+    fn judged(output: &str) -> RunRecord {
+        let ending = Ending { outcome: Outcome::Ok, reason: String::new(), output: output.into() };
+        judge(RunRecord { algorithm: "ps".into(), seed: 7, ..Default::default() }, ending, &mesh())
+    }
+
+    #[test]
+    fn a_record_takes_the_numbers_of_the_run_and_keeps_what_it_was_asked() {
+        let record = judged(
+            r#"{"vertices": 172354, "triangles": 344704, "genus": 0, "pairing_seconds": 0.25,
+                "unpaired_triangles": 8, "seed": 9, "algorithm": "xx", "input": "A5.ply"}"#,
+        );
+        assert!(record.is_ok(), "{}", record.reason);
+        assert_eq!((record.pairing_seconds, record.unpaired_triangles), (Some(0.25), Some(8)));
+        assert_eq!((&record.algorithm[..], record.seed), ("ps", 7));
+    }
+
+    #[test]
+    fn another_mesh_or_no_record_is_no_result() {
+        let other = judged(r#"{"vertices": 172354, "triangles": 344704, "genus": 1}"#);
+        assert_eq!(other.outcome, Outcome::Invalid);
+        assert_eq!(judged("half").outcome, Outcome::Crash);
+        assert_eq!(judged(r#"{"vertices": "many"}"#).outcome, Outcome::Crash);
+    }
+}
