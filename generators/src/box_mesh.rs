@@ -14,11 +14,15 @@
 //! ```
 //!
 //! Every face is a grid of nearly square cells, each cut in two; neighbouring faces share the
-//! vertices of their common edge, where degrees are 6 as well. Other degrees occur only in the
-//! corners, eight a shaft and eight of the box, and around the centres described at [`BoxShape::surface`].
+//! vertices of their common edge. Those on the walls of cavities are half again as high as wide.
+//! Diagonals turn every two cells along a shaft, in such a way that nearly all degrees are 6, on the
+//! rims of shafts too. Other degrees occur in the corners, eight a shaft and eight of the box, along
+//! two sides of each floor, of its counterpart on the bottom and of the place of a missing shaft,
+//! along the edges of the box, and around the centres described at [`BoxShape::surface`].
 
 pub(crate) mod array;
 mod build;
+mod diagonals;
 pub(crate) mod lattice;
 mod mesh;
 
@@ -88,7 +92,7 @@ impl BoxShape {
     ///
     /// The grid is refined where its cells are longest as long as the vertices suffice. What is
     /// left over goes first into whole grid lines between the shafts, then into whole rings of
-    /// single shafts, which both leave all degrees at 6. The last few, fewer than a ring or, in a
+    /// single shafts, which both leave nearly all degrees at 6. The last few, fewer than a ring or, in a
     /// box without shafts, than a line, become centres of single cells spread over the surface: a
     /// vertex of degree 4 and two of degree 7 each.
     ///

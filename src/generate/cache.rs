@@ -7,7 +7,7 @@ use super::{BoxShape, GenerateError, Recipe, into_list, simplified};
 use crate::mesh::{self, FaceList, MeshError, Output};
 
 /// Increased whenever a recipe's bytes change: what was kept before is then no longer found.
-const EDITION: u32 = 1;
+const EDITION: u32 = 2;
 
 /// A folder of generated meshes, each under the key of its recipe.
 ///

@@ -2,6 +2,7 @@
 
 use super::BoxShape;
 use super::array::{Place, places};
+use super::diagonals::{is_turned, is_turned_around};
 use super::lattice::{DEPTH, HEIGHT, Lattice, Part, SHAFT, gap, share};
 use super::mesh::{Mesh, between};
 use crate::Surface;
@@ -63,6 +64,13 @@ impl Axis {
         self.lines.extend((0..cells).map(|step| between([start, end], step, cells)));
         self.columns.extend((0..cells).map(|_| column));
         end
+    }
+
+    /// Whether cells have the other diagonal because of their place in a column, or [`None`] between
+    /// two columns.
+    fn is_turned(&self, cell: usize) -> Option<bool> {
+        let start = self.starts.get(self.columns[cell] as usize)?;
+        Some(is_turned(cell - start))
     }
 
     /// The column that the given line is strictly inside of, or [`NONE`].
@@ -179,7 +187,9 @@ impl Builder {
         for x in 0..self.axes[0].columns.len() {
             if !self.is_open(plate, self.axes[0].columns[x], row) {
                 let [a, b, c, d] = self.plates[plate as usize].cell([x, y]);
-                self.mesh.cell(if plate == Plate::Top { [a, b, c, d] } else { [d, c, b, a] });
+                let corners = if plate == Plate::Top { [a, b, c, d] } else { [d, c, b, a] };
+                let turned = self.axes[0].is_turned(x).or(self.axes[1].is_turned(y));
+                self.mesh.cell(corners, turned == Some(true));
             }
         }
     }
@@ -205,16 +215,18 @@ impl Builder {
                 Part::Cavity
             }
         };
-        // The outside of the surface is the inside of the shaft.
-        upper.reverse();
-        lower.reverse();
+        // The outside of the surface is the inside of the shaft: the other way round from the same
+        // corner.
+        upper[1..].reverse();
+        lower[1..].reverse();
         let shafts = self.lattice.cavities + self.lattice.holes;
         let extra = share(self.shafts, self.lattice.extra_rings, shafts);
         self.shafts += 1;
-        self.mesh.walls(upper, lower, self.lattice.cells(part) + extra);
+        let turned = |step| is_turned_around(size[0], step);
+        self.mesh.walls(upper, lower, self.lattice.cells(part) + extra, turned);
         if place == Place::Cavity {
             for [x, y] in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| [x, y])) {
-                self.mesh.cell(self.floor.cell([x, y]));
+                self.mesh.cell(self.floor.cell([x, y]), is_turned(x));
             }
         }
     }
@@ -225,7 +237,7 @@ impl Builder {
         let [upper, lower] = &mut self.loops;
         self.plates[Plate::Top as usize].rim([0, 0], size, upper);
         self.plates[Plate::Bottom as usize].rim([0, 0], size, lower);
-        self.mesh.walls(upper, lower, self.lattice.cells(Part::Side));
+        self.mesh.walls(upper, lower, self.lattice.cells(Part::Side), |_| false);
     }
 }
 

