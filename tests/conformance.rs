@@ -180,6 +180,12 @@ fn a_retriangulation_has_the_same_components_on_the_same_vertices() {
     let mut moved = given.clone();
     moved.positions[2][0] += 1.0;
     assert_eq!(check_retriangulation(&moved, &given), Err(Mismatch::Moved(2)));
+    let mut longer = given.clone();
+    longer.positions.push([0.0; 3]);
+    let counts = [longer.positions.len(), given.positions.len()];
+    let expected = Mismatch::TriangulationVertexCount { paired: counts[0], given: counts[1] };
+    assert_eq!(check_retriangulation(&longer, &given), Err(expected));
+    assert!(!expected.to_string().contains("quad"), "{expected}");
 }
 
 #[test]

@@ -33,6 +33,15 @@ pub enum Mismatch {
         /// Vertices of the triangle mesh.
         triangles: usize,
     },
+    /// The number of vertices of a triangulation is not that of the mesh whose surface it should
+    /// triangulate.
+    #[error("the triangulation has {paired} vertices, the triangle mesh {given}")]
+    TriangulationVertexCount {
+        /// Vertices of the triangulation whose triangles were paired.
+        paired: usize,
+        /// Vertices of the triangle mesh given.
+        given: usize,
+    },
     /// A vertex has moved.
     #[error("vertex {} has other coordinates than in the triangle mesh", .0 + 1)]
     Moved(usize),
@@ -85,16 +94,18 @@ pub enum Mismatch {
 /// # Cost
 /// O(n) time; about 40 bytes a triangle while it runs.
 pub fn check(quads: &FaceList, triangles: &FaceList) -> Result<CheckReport, Mismatch> {
+    let counts = [quads, triangles].map(|mesh| mesh.positions.len());
+    if counts[0] != counts[1] {
+        return Err(Mismatch::VertexCount { quads: counts[0], triangles: counts[1] });
+    }
     check_positions(&quads.positions, &triangles.positions)?;
     check_faces(&quads.faces, &triangles.faces, triangles.positions.len())
 }
 
-pub(super) fn check_positions(quads: &[[f64; 3]], triangles: &[[f64; 3]]) -> Result<(), Mismatch> {
-    if quads.len() != triangles.len() {
-        return Err(Mismatch::VertexCount { quads: quads.len(), triangles: triangles.len() });
-    }
+/// Whether two meshes of as many vertices have them in the same places.
+pub(super) fn check_positions(ours: &[[f64; 3]], given: &[[f64; 3]]) -> Result<(), Mismatch> {
     let bits = |position: &[f64; 3]| position.map(f64::to_bits);
-    let moved = (0..quads.len()).find(|&v| bits(&quads[v]) != bits(&triangles[v]));
+    let moved = (0..ours.len()).find(|&v| bits(&ours[v]) != bits(&given[v]));
     moved.map_or(Ok(()), |v| Err(Mismatch::Moved(v)))
 }
 

@@ -1,5 +1,5 @@
-//! How well quads are shaped: the scaled Jacobian (Stimpson et al., *The Verdict Geometric Quality
-//! Library*, SAND2007-1751, metric 4.13), of which no rounding differs between machines.
+//! How well quads are shaped: the scaled Jacobian, as in the Verdict library (Stimpson et al., *The
+//! Verdict Geometric Quality Library*, SAND2007-1751), of which no rounding differs between machines.
 
 use crate::mesh::FaceList;
 

@@ -15,6 +15,10 @@ use crate::mesh::{FaceList, Faces};
 /// # Cost
 /// O(n log n), linear in practice; 26 bytes a vertex.
 pub fn check_retriangulation(triangles: &FaceList, given: &FaceList) -> Result<(), Mismatch> {
+    let counts = [triangles, given].map(|mesh| mesh.positions.len());
+    if counts[0] != counts[1] {
+        return Err(Mismatch::TriangulationVertexCount { paired: counts[0], given: counts[1] });
+    }
     check_positions(&triangles.positions, &given.positions)?;
     check_retriangulated_faces(&triangles.faces, &given.faces, given.positions.len())
 }

@@ -8,6 +8,7 @@
 
 use super::star::Spokes;
 use super::{HalfEdgeId, Id, IdVec, Places, TriangleId, Triangulation, VertexId};
+use crate::prefetch::prefetch;
 
 /// A triangulation whose edges can be contracted, and the contractions undone last-in first-out.
 ///
@@ -245,6 +246,27 @@ impl ShrinkingTriangulation {
             self.twin[side] = places.of(self.twin[side]);
         }
         self.split(receipt);
+    }
+
+    /// Has the cache fetch the triangle of a receipt that will be undone after a few others.
+    #[inline]
+    pub(crate) fn prefetch(&self, receipt: &VertexSplit) {
+        self.prefetch_side(receipt.0);
+    }
+
+    /// Has the cache fetch what lies round that triangle, which should have been fetched by now.
+    #[inline]
+    pub(crate) fn prefetch_around(&self, receipt: &VertexSplit) {
+        let VertexSplit(h) = *receipt;
+        for side in [h, h.next(), h.prev()] {
+            self.prefetch_side(self.twin[side]);
+        }
+    }
+
+    #[inline]
+    fn prefetch_side(&self, h: HalfEdgeId) {
+        prefetch(self.twin.as_slice(), h.index());
+        prefetch(self.origin.as_slice(), h.index());
     }
 
     /// The spokes that the contraction of `receipt`, the last one, has moved to the end that stayed:

@@ -7,13 +7,19 @@
 //! are such searches of length one. At the end, edges are flipped back where another short search
 //! makes up for it: more vertices have come back since, and there are more ways.
 
-use super::Expanded;
 use super::marks::{Mark, Marks};
 use super::search::Search;
+use super::{Expanded, next_receipt};
 use crate::irreducible::Reduction;
 use crate::triangulation::{
     HalfEdgeId, IdVec, Places, ShrinkingTriangulation, Triangulation, VertexId, VertexSplit,
 };
+
+/// How many triangles are looked round before an edge is flipped.
+const LIMIT: usize = 20;
+
+/// How many triangles are looked round before a flip is left as it is.
+const LAST_LIMIT: usize = 48;
 
 /// Looks on while vertices come back; production looks away.
 pub(super) trait Observer: Sized {
@@ -32,6 +38,8 @@ pub(super) struct Run {
     places: Places,
     /// The vertices into which others have been contracted that are not back yet.
     splits_again: IdVec<VertexId, bool>,
+    /// The one that splits now.
+    centre: VertexId,
     search: Search,
     /// The edges flipped, each by the half-edge that it is in 𝒯, in the order of time.
     pub(super) flips: Vec<HalfEdgeId>,
@@ -39,7 +47,7 @@ pub(super) struct Run {
 
 /// Expands all vertices, the last contracted first. O(n).
 pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
-    let Reduction { triangulation: k, splits, .. } = reduction;
+    let Reduction { triangulation: k, mut splits, .. } = reduction;
     let mut splits_again = IdVec::filled(false, k.vertex_id_count());
     for split in &splits {
         splits_again[k.origin(split.half_edge())] = true;
@@ -49,18 +57,13 @@ pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> 
         places: Places::new(k.half_edge_id_count()),
         k,
         splits_again,
+        centre: VertexId::NONE,
         search: Search::default(),
         flips: Vec::new(),
     };
-    let mut splits = splits.into_iter().rev().peekable();
-    while let Some(split) = splits.next() {
-        let u = run.k.origin(split.half_edge());
+    while let Some(split) = next_receipt(&mut splits, &run.k) {
         run.expand(split);
         observer.expanded(&run);
-        let next = splits.peek().map(|split| run.k.origin(split.half_edge()));
-        if next != Some(u) {
-            run.splits_again[u] = false;
-        }
     }
     run
 }
@@ -70,6 +73,7 @@ impl Run {
     /// [`super::printed`].
     fn expand(&mut self, split: VertexSplit) {
         let h = split.half_edge();
+        self.split_at(self.k.origin(h));
         let hp = self.k.twin(h);
         let [a, b, c, d] = [h.next(), h.prev(), hp.next(), hp.prev()];
         self.k.split_among_flips(split, &self.places);
@@ -88,7 +92,7 @@ impl Run {
         let Self { k, marks, splits_again, search, .. } = self;
         // An edge that may split at both ends would be in the way of a flip.
         let allowed = |h| !(splits_again[k.origin(h)] && splits_again[k.destination(h)]);
-        if search.pair(ends.map(HalfEdgeId::triangle), k, marks, allowed) {
+        if search.pair(ends, LIMIT, k, marks, allowed) {
             return;
         }
         for (side, matched) in [a, d].into_iter().zip(matched) {
@@ -97,6 +101,17 @@ impl Run {
             }
         }
         self.match_edge(h);
+    }
+
+    /// Notes that `centre` splits now. All that has been contracted into one vertex comes back in a
+    /// row, so the one that split before is whole.
+    fn split_at(&mut self, centre: VertexId) {
+        if centre != self.centre {
+            if let Some(before) = self.centre.some() {
+                self.splits_again[before] = false;
+            }
+            self.centre = centre;
+        }
     }
 
     fn match_edge(&mut self, h: HalfEdgeId) {
@@ -168,7 +183,7 @@ impl Run {
             self.marks.add(side, Mark::Inner);
         }
         let Self { k, marks, search, .. } = self;
-        let found = search.pair(mates.map(HalfEdgeId::triangle), k, marks, |_| true);
+        let found = search.pair(mates, LAST_LIMIT, k, marks, |_| true);
         for side in [s, t] {
             self.marks.remove(side, Mark::Inner);
         }

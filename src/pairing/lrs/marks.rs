@@ -1,6 +1,6 @@
 //! Marks on the edges of a triangulation that is being expanded.
 
-use crate::triangulation::{HalfEdgeId, IdVec, Moves};
+use crate::triangulation::{HalfEdgeId, Id, IdVec, Moves};
 
 /// One thing that is known of an edge; an edge may have several marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +17,9 @@ pub(super) enum Mark {
     /// The second tree has.
     SecondOuter = 16,
 }
+
+/// The marks of searches.
+const VISITS: u8 = Mark::Inner as u8 | Mark::FirstOuter as u8 | Mark::SecondOuter as u8;
 
 /// Marks for every half-edge; the first two are those of edges, the same on both sides. 3 bytes a
 /// triangle.
@@ -75,10 +78,26 @@ impl Marks {
         self.0[to] = self.0[from];
     }
 
+    /// Whether a search has come to `h`.
+    #[inline]
+    pub(super) fn is_visited(&self, h: HalfEdgeId) -> bool {
+        self.0[h] & VISITS != 0
+    }
+
+    /// Forgets that a search has come to `h`.
+    #[inline]
+    pub(super) fn remove_visits(&mut self, h: HalfEdgeId) {
+        self.0[h] &= !VISITS;
+    }
+
     /// The side of the triangle of `h` whose edge is in M.
     #[inline]
     pub(super) fn matched_side(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        h.triangle().half_edges().into_iter().find(|&side| self.has(side, Mark::Matched))
+        let [a, b, c] = h.triangle().half_edges();
+        // Without branches, as nobody can tell which side it is.
+        let [in_a, in_b, in_c] = [a, b, c].map(|side| self.has(side, Mark::Matched));
+        let side = HalfEdgeId::new(a.index() + usize::from(in_b) + 2 * usize::from(in_c));
+        (in_a | in_b | in_c).then_some(side)
     }
 
     /// Takes the marks along to where a flip has moved half-edges.

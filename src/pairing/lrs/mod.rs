@@ -25,7 +25,9 @@ use std::borrow::Cow;
 use super::InitialPairing;
 use crate::dual::{DualGraph, Matching};
 use crate::irreducible::{Discipline, Reduction, ramaswami_siqueira};
-use crate::triangulation::{Id, ShrinkingTriangulation, TriangleId, Triangulation, VertexId};
+use crate::triangulation::{
+    Id, ShrinkingTriangulation, TriangleId, Triangulation, VertexId, VertexSplit,
+};
 use marks::Marks;
 
 /// Where edges that are new at a vertex enter its list, see above.
@@ -63,6 +65,17 @@ struct Expanded {
     /// Edges of 𝒦 that are flips. None is an edge of the input: when it is made, it ends at the
     /// vertex being expanded, all whose edges in the triangulation expanded so far are in 𝒦.
     edge_flips: usize,
+}
+
+/// Takes the last receipt, and has the cache fetch what the next ones will need.
+fn next_receipt(splits: &mut Vec<VertexSplit>, k: &ShrinkingTriangulation) -> Option<VertexSplit> {
+    /// How many receipts ahead triangles are fetched, and half of it what lies round them.
+    const AHEAD: usize = 16;
+    let receipt = splits.pop()?;
+    let ahead = |by: usize| splits.len().checked_sub(by).map(|place| &splits[place]);
+    ahead(AHEAD).into_iter().for_each(|receipt| k.prefetch(receipt));
+    ahead(AHEAD / 2).into_iter().for_each(|receipt| k.prefetch_around(receipt));
+    Some(receipt)
 }
 
 impl Expanded {

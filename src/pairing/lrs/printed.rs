@@ -6,8 +6,8 @@
 //! be told from the marks alone, as two flipped edges may share a triangle and then their order
 //! matters. And 𝒦 is made once, when all vertices are back.
 
-use super::Expanded;
 use super::marks::{Mark, Marks};
+use super::{Expanded, next_receipt};
 use crate::irreducible::Reduction;
 use crate::triangulation::{HalfEdgeId, Places, ShrinkingTriangulation, VertexSplit};
 
@@ -53,10 +53,10 @@ struct Split {
 
 /// Expands all vertices, the last contracted first (Algorithm 3.1). O(n).
 pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
-    let Reduction { triangulation: t, splits, .. } = reduction;
+    let Reduction { triangulation: t, mut splits, .. } = reduction;
     let marks = Marks::new(t.half_edge_id_count());
     let mut run = Run { t, marks, flips: Vec::new() };
-    for split in splits.into_iter().rev() {
+    while let Some(split) = next_receipt(&mut splits, &run.t) {
         run.expand(split);
         observer.expanded(&run);
     }

@@ -4,64 +4,54 @@
 //! one of the other: with as much searched, a path may be twice as long as with one tree.
 
 use super::marks::{Mark, Marks};
-use crate::triangulation::{HalfEdgeId, ShrinkingTriangulation, TriangleId};
-
-/// How many triangles a search may look round.
-const LIMIT: usize = 24;
+use crate::triangulation::{HalfEdgeId, ShrinkingTriangulation};
 
 /// What a search remembers; kept from one to the next to be allocated once.
 #[derive(Default)]
 pub(super) struct Search {
+    /// The two unpaired triangles first.
     outer: Vec<Outer>,
 }
 
 /// A triangle that a tree has reached, at an even distance from its root.
 #[derive(Clone, Copy)]
 struct Outer {
-    triangle: TriangleId,
-    tree: Mark,
-    /// How it was reached; none for a root.
-    step: Option<Step>,
-}
-
-/// From an outer triangle to the mate of a neighbour.
-#[derive(Clone, Copy)]
-struct Step {
-    /// The place of the outer triangle before in [`Search::outer`].
-    before: u32,
-    /// Its side beyond which the neighbour lies.
-    side: HalfEdgeId,
-    /// The side of the neighbour beyond which its mate lies.
+    /// Its side to the triangle before, its mate; any side of a root.
+    back: HalfEdgeId,
+    /// The other side of `back`.
     matched: HalfEdgeId,
+    /// The side beyond which that mate lies, of the outer triangle before.
+    side: HalfEdgeId,
+    /// The place of that in [`Search::outer`].
+    before: u32,
+    tree: Mark,
 }
 
 impl Search {
-    /// Pairs two unpaired triangles by an alternating path that takes in no edge but those that `allowed`
-    /// lets in, if there is one near. O(1).
+    /// Pairs two unpaired triangles, each given by a side, by an alternating path that takes in no edge
+    /// but those that `allowed` lets in, if it finds one when it looks round `limit` triangles.
     pub(super) fn pair(
         &mut self,
-        ends: [TriangleId; 2],
+        ends: [HalfEdgeId; 2],
+        limit: usize,
         k: &ShrinkingTriangulation,
         marks: &mut Marks,
         allowed: impl Fn(HalfEdgeId) -> bool,
     ) -> bool {
-        let path = self.find(ends, k, marks, allowed);
-        for Step { matched, .. } in self.outer.iter().filter_map(|outer| outer.step) {
-            marks.remove(matched, Mark::Inner);
-            let across = k.twin(matched);
-            marks.remove(across, Mark::FirstOuter);
-            marks.remove(across, Mark::SecondOuter);
+        let path = self.find(ends, limit, k, marks, allowed);
+        for outer in &self.outer[2..] {
+            marks.remove_visits(outer.matched);
+            marks.remove_visits(outer.back);
         }
         let Some((side, tips)) = path else { return false };
         add(k, marks, side);
-        for tip in tips {
-            let mut at = self.outer[tip];
-            while let Some(Step { before, side, matched }) = at.step {
-                for side in [matched, k.twin(matched)] {
-                    marks.remove(side, Mark::Matched);
-                }
+        for mut at in tips {
+            while at > 1 {
+                let Outer { back, matched, side, before, .. } = self.outer[at];
+                marks.remove(matched, Mark::Matched);
+                marks.remove(back, Mark::Matched);
                 add(k, marks, side);
-                at = self.outer[before as usize];
+                at = before as usize;
             }
         }
         true
@@ -70,29 +60,34 @@ impl Search {
     /// A side between outer triangles of both trees, and which they are.
     fn find(
         &mut self,
-        ends: [TriangleId; 2],
+        ends: [HalfEdgeId; 2],
+        limit: usize,
         k: &ShrinkingTriangulation,
         marks: &mut Marks,
         allowed: impl Fn(HalfEdgeId) -> bool,
     ) -> Option<(HalfEdgeId, [usize; 2])> {
         self.outer.clear();
-        for (triangle, tree) in ends.into_iter().zip([Mark::FirstOuter, Mark::SecondOuter]) {
-            self.outer.push(Outer { triangle, tree, step: None });
+        for (back, tree) in ends.into_iter().zip([Mark::FirstOuter, Mark::SecondOuter]) {
+            let none = HalfEdgeId::NONE;
+            self.outer.push(Outer { back, matched: none, side: none, before: 0, tree });
         }
         let mut at = 0;
-        while at < self.outer.len().min(LIMIT) {
-            let Outer { triangle, tree, .. } = self.outer[at];
-            for side in triangle.half_edges() {
-                if marks.has(side, Mark::Matched) || !allowed(side) {
+        while at < self.outer.len().min(limit) {
+            let Outer { back, tree, .. } = self.outer[at];
+            let goal = usize::from(tree == Mark::FirstOuter);
+            let sides = [back.next(), back.prev(), back];
+            for &side in &sides[..if at < 2 { 3 } else { 2 }] {
+                let across = k.twin(side);
+                let matched = marks.matched_side(across);
+                if matched.is_some_and(|m| marks.has(m, Mark::Inner)) || !allowed(side) {
                     continue;
                 }
-                let across = k.twin(side);
-                let met = match marks.matched_side(across) {
+                let met = match matched {
                     Some(matched) => self.reach(at, tree, [side, matched], k, marks),
-                    None => across.triangle() == ends[usize::from(tree == Mark::FirstOuter)],
+                    None => across.triangle() == ends[goal].triangle(),
                 };
                 if met {
-                    let is_met = |outer: &Outer| outer.triangle == across.triangle();
+                    let is_met = |outer: &Outer| outer.back.triangle() == across.triangle();
                     let other = self.outer.iter().position(is_met).expect("it is outer");
                     return Some((side, [at, other]));
                 }
@@ -102,8 +97,8 @@ impl Search {
         None
     }
 
-    /// Grows `tree` by the triangle across side `matched` of a neighbour, if it is new; says whether
-    /// the neighbour is an outer triangle of the other tree.
+    /// Grows `tree` by the triangle beyond side `matched` of a neighbour that is no inner triangle, if it
+    /// is new; says whether the neighbour is an outer triangle of the other tree.
     #[inline]
     fn reach(
         &mut self,
@@ -113,15 +108,13 @@ impl Search {
         k: &ShrinkingTriangulation,
         marks: &mut Marks,
     ) -> bool {
-        let visits = [Mark::Inner, Mark::FirstOuter, Mark::SecondOuter];
-        if let Some(visit) = visits.into_iter().find(|&visit| marks.has(matched, visit)) {
-            return visit != Mark::Inner && visit != tree;
+        if marks.is_visited(matched) {
+            return !marks.has(matched, tree);
         }
-        let mate = k.twin(matched);
+        let back = k.twin(matched);
         marks.add(matched, Mark::Inner);
-        marks.add(mate, tree);
-        let step = Some(Step { before: before as u32, side, matched });
-        self.outer.push(Outer { triangle: mate.triangle(), tree, step });
+        marks.add(back, tree);
+        self.outer.push(Outer { back, matched, side, before: before as u32, tree });
         false
     }
 }
