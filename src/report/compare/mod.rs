@@ -59,7 +59,9 @@ pub struct Judged {
     pub ours: String,
     /// The paper's.
     pub paper: String,
-    /// Why the verdict is what it is, and our number on every mesh.
+    /// Why the verdict is what it is.
+    pub reason: String,
+    /// The reason, and our number on every mesh.
     pub detail: String,
 }
 
@@ -82,7 +84,7 @@ impl Comparison {
         let header = ["id", "verdict", "kind", "statement", "source", "ours", "paper", "detail"];
         writer.write_record(header).expect("memory takes everything");
         for judged in &self.verdicts {
-            let Judged { id, statement, source, kind, verdict, ours, paper, detail } = judged;
+            let Judged { id, statement, source, kind, verdict, ours, paper, detail, .. } = judged;
             let row = [id, verdict.name(), kind.name(), statement, source, ours, paper, detail];
             writer.write_record(row).expect("memory takes everything");
         }
@@ -126,6 +128,7 @@ fn judge_one(claim: &Claim, printed: &[Point], summary: &Summary) -> Judged {
         ours: test.as_ref().map(|test| test.found.clone()).unwrap_or_default(),
         paper: paper_text(claim, printed),
         detail: detail(&reason, &ours, test.as_ref()),
+        reason,
     }
 }
 
