@@ -4,6 +4,8 @@
 //! names the file, the place, the law and the remedy.
 
 mod check;
+#[cfg(feature = "report")]
+mod compare;
 mod convert;
 mod experiments;
 mod generate;
@@ -15,6 +17,8 @@ mod merge;
 mod pictures;
 mod plan;
 mod progress;
+#[cfg(feature = "report")]
+mod report;
 mod run;
 mod simplify;
 mod stdio;
@@ -54,6 +58,10 @@ enum Verb {
     Plan(plan::Arguments),
     Run(run::Arguments),
     Merge(merge::Arguments),
+    #[cfg(feature = "report")]
+    Report(report::Arguments),
+    #[cfg(feature = "report")]
+    Compare(compare::Arguments),
 }
 
 /// Why a verb ends without success: an exit code and a line for standard error.
@@ -120,6 +128,10 @@ pub fn main() -> ExitCode {
         Verb::Plan(arguments) => plan::run(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Merge(arguments) => merge::run(&arguments),
+        #[cfg(feature = "report")]
+        Verb::Report(arguments) => report::run(&arguments),
+        #[cfg(feature = "report")]
+        Verb::Compare(arguments) => compare::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

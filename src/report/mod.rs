@@ -15,6 +15,7 @@ pub mod picture;
 pub mod statistics;
 pub mod summary;
 pub mod tables;
+pub mod write;
 
 pub use compare::{Comparison, Judged, Verdict};
 pub use statistics::Statistics;

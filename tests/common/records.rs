@@ -217,10 +217,3 @@ fn irreducible(results: &mut Results, group: &str, mesh: &str) {
         results.planned.push(planned(&last, repetitions));
     }
 }
-
-/// The folder's `runs.csv`.
-pub fn runs_csv(records: &[RunRecord]) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    records.iter().for_each(|record| writer.serialize(record).unwrap());
-    String::from_utf8(writer.into_inner().unwrap()).unwrap()
-}

@@ -121,6 +121,8 @@ pub struct Test {
     pub found: String,
     /// Meshes on which it does not hold, where each is tested for itself.
     pub broken_on: Vec<String>,
+    /// Those among them where it holds at an end of the interval: within the noise.
+    pub undecided_on: Vec<String>,
 }
 
 impl Predicate {
@@ -132,17 +134,6 @@ impl Predicate {
             | Self::Scaled { along } => Some(along),
             _ => None,
         }
-    }
-
-    /// Whether each mesh is tested for itself, so that one of them alone can refute it.
-    pub fn is_pointwise(&self) -> bool {
-        matches!(
-            self,
-            Self::Range { .. }
-                | Self::AsPrinted { .. }
-                | Self::GenusBound { .. }
-                | Self::BelowOneOnlyOn { .. }
-        )
     }
 
     /// Tests `points`, of which there must be some; `printed` has the paper's own, as far as it prints
@@ -160,13 +151,22 @@ impl Predicate {
     }
 
     fn pointwise(&self, points: &[Point], printed: &[Point]) -> Test {
-        let broken = points.iter().filter(|point| !self.holds_at(point, printed));
-        let broken_on: Vec<String> = broken.map(|point| point.mesh.clone()).collect();
-        Test { holds: broken_on.is_empty(), found: range_of(points), broken_on }
+        let names = |points: Vec<&Point>| points.iter().map(|point| point.mesh.clone()).collect();
+        let holds_at = |point: &Point, value| self.holds_at(point, value, printed);
+        let broken = points.iter().filter(|point| !holds_at(point, point.value));
+        let undecided = broken.clone().filter(|point| {
+            let interval = point.interval.filter(|(low, high)| low < high);
+            interval.is_some_and(|(low, high)| holds_at(point, low) || holds_at(point, high))
+        });
+        Test {
+            holds: broken.clone().next().is_none(),
+            found: range_of(points),
+            undecided_on: names(undecided.collect()),
+            broken_on: names(broken.collect()),
+        }
     }
 
-    fn holds_at(&self, point: &Point, printed: &[Point]) -> bool {
-        let value = point.value;
+    fn holds_at(&self, point: &Point, value: f64, printed: &[Point]) -> bool {
         match self {
             Self::Range { low, high } => {
                 low.is_none_or(|low| value >= low) && high.is_none_or(|high| value <= high)
@@ -209,7 +209,7 @@ fn extremes(points: &[Point]) -> (f64, f64) {
 }
 
 fn whole(holds: bool, found: String) -> Test {
-    Test { holds, found, broken_on: Vec::new() }
+    Test { holds, found, broken_on: Vec::new(), undecided_on: Vec::new() }
 }
 
 fn monotone(points: &[Point], direction: Direction, share: f64) -> Test {

@@ -9,7 +9,7 @@ mod printed;
 
 use printed::Printed;
 
-use super::claims::{self, Claim, Kind, Need, Point, Test};
+use super::claims::{self, Claim, Kind, Need, Point, Predicate, Test};
 use super::number::significant;
 use super::summary::Summary;
 
@@ -59,7 +59,9 @@ pub struct Judged {
     pub ours: String,
     /// The paper's.
     pub paper: String,
-    /// Why the verdict is what it is, and our number on every mesh.
+    /// Why the verdict is what it is.
+    pub reason: String,
+    /// The reason, and our number on every mesh.
     pub detail: String,
 }
 
@@ -82,7 +84,7 @@ impl Comparison {
         let header = ["id", "verdict", "kind", "statement", "source", "ours", "paper", "detail"];
         writer.write_record(header).expect("memory takes everything");
         for judged in &self.verdicts {
-            let Judged { id, statement, source, kind, verdict, ours, paper, detail } = judged;
+            let Judged { id, statement, source, kind, verdict, ours, paper, detail, .. } = judged;
             let row = [id, verdict.name(), kind.name(), statement, source, ours, paper, detail];
             writer.write_record(row).expect("memory takes everything");
         }
@@ -126,6 +128,7 @@ fn judge_one(claim: &Claim, printed: &[Point], summary: &Summary) -> Judged {
         ours: test.as_ref().map(|test| test.found.clone()).unwrap_or_default(),
         paper: paper_text(claim, printed),
         detail: detail(&reason, &ours, test.as_ref()),
+        reason,
     }
 }
 
@@ -161,22 +164,30 @@ fn verdict(
     }
     match test {
         None => (Verdict::NotComparable, "no mesh can be judged".into()),
-        Some(test)
-            if !test.holds && (claim.predicate.is_pointwise() || ours.missing.is_empty()) =>
-        {
-            let broken = if test.broken_on.is_empty() {
-                String::new()
-            } else {
-                format!(" on {}", test.broken_on.join(", "))
-            };
-            (Verdict::Differs, format!("does not hold{broken}"))
-        }
-        Some(_) if !ours.missing.is_empty() => {
-            let reason =
-                format!("only {} of {} meshes", ours.points.len(), claim.mesh_names().len());
-            (Verdict::NotComparable, reason)
-        }
-        Some(_) => (Verdict::Reproduced, "holds".into()),
+        Some(test) => judge_test(claim, ours, test),
+    }
+}
+
+/// The verdict of a test that nothing stands in the way of.
+fn judge_test(claim: &Claim, ours: &Evidence, test: &Test) -> (Verdict, String) {
+    let refuted: Vec<&str> = test
+        .broken_on
+        .iter()
+        .filter(|mesh| !test.undecided_on.contains(mesh))
+        .map(String::as_str)
+        .collect();
+    if !refuted.is_empty() {
+        (Verdict::Differs, format!("does not hold on {}", refuted.join(", ")))
+    } else if !ours.missing.is_empty() {
+        let (judged, all) = (ours.points.len(), claim.mesh_names().len());
+        (Verdict::NotComparable, format!("only {judged} of {all} meshes"))
+    } else if test.holds {
+        (Verdict::Reproduced, "holds".into())
+    } else if test.undecided_on.is_empty() {
+        (Verdict::Differs, "does not hold".into())
+    } else {
+        let undecided = test.undecided_on.join(", ");
+        (Verdict::NotComparable, format!("undecided within the noise on {undecided}"))
     }
 }
 
@@ -199,6 +210,10 @@ fn paper_text(claim: &Claim, printed: &[Point]) -> String {
     let found = (!printed.is_empty()).then(|| claim.predicate.test(printed, printed).found);
     match found {
         Some(found) if claim.paper.is_empty() => found,
+        // The printed numbers are those of the text.
+        Some(_) if matches!(&claim.predicate, Predicate::AsPrinted { numbers, .. } if !numbers.is_empty()) => {
+            claim.paper.clone()
+        }
         Some(found) => format!("{}; in its tables {found}", claim.paper),
         None => claim.paper.clone(),
     }

@@ -4,7 +4,11 @@ use super::Evidence;
 use super::bootstrap::{self, Sample};
 use crate::random::Random;
 use crate::report::claims::{Claim, Expression, Factor, Need, Point};
+use crate::report::number::significant;
 use crate::report::summary::{Cell, Summary};
+
+/// Seconds below which a time says too little to be compared.
+const SHORTEST: f64 = 1e-4;
 
 /// The number of `claim` on its meshes, as far as the records have it.
 pub fn evidence(claim: &Claim, summary: &Summary) -> Evidence {
@@ -32,9 +36,6 @@ struct Place<'a> {
 impl<'a> Place<'a> {
     /// The number, or why there is none.
     fn point(&self) -> Result<Point, String> {
-        if self.claim.needs.contains(&Need::PaperMesh) && self.cells().any(Cell::is_stand_in) {
-            return Err("a stand-in, not the paper's mesh".into());
-        }
         let samples = self.samples(&self.claim.value)?;
         let along = match self.claim.predicate.along() {
             Some(along) => bootstrap::product(&self.samples(along)?),
@@ -44,6 +45,9 @@ impl<'a> Place<'a> {
         let value = bootstrap::product(&samples);
         if !value.is_finite() {
             return Err("divided by 0".into());
+        }
+        if self.claim.needs.contains(&Need::PaperMesh) && self.cells().any(Cell::is_stand_in) {
+            return Err(format!("{}, but a stand-in, not the paper's mesh", significant(value)));
         }
         Ok(Point {
             mesh: self.mesh.to_owned(),
@@ -71,7 +75,10 @@ impl<'a> Place<'a> {
             .ok_runs()
             .filter_map(|run| Some((run.repetition, (factor.number.of)(run)?)))
             .collect();
-        if !sample.is_empty() {
+        let mean = sample.iter().map(|run| run.1).sum::<f64>() / sample.len() as f64;
+        if factor.number.is_time && mean < SHORTEST {
+            Err(format!("{algorithm}: {} below 0.1 ms", factor.number.name))
+        } else if !sample.is_empty() {
             Ok(sample)
         } else if cell.ok_runs().next().is_some() {
             Err(format!("{algorithm} without {}", factor.number.name))
