@@ -83,9 +83,8 @@ fn what_pulli_segal_leaves_grows_with_irregularity() {
         simplifier.result().1
     });
     let share = |triangulation: &Triangulation| {
-        let pair = |seed| {
-            Algorithm::PulliSegal.pair(triangulation, &mut Random::stream(seed, &["box"]))
-        };
+        let pair =
+            |seed| Algorithm::PulliSegal.pair(triangulation, &mut Random::stream(seed, &["box"]));
         let unpaired: usize = (0..4).map(|seed| pair(seed).matching.unpaired_count()).sum();
         unpaired as f64 / (4 * triangulation.face_count()) as f64
     };

@@ -11,6 +11,7 @@ use triquad::experiment::machine;
 use triquad::experiment::plan::{Block, PlannedMesh, PlannedRun};
 use triquad::experiment::record::{Outcome, RunRecord};
 use triquad::experiment::run::{Observer, Runner};
+use triquad::report::write;
 
 use super::experiments::{Selection, duration};
 use super::{Failure, generate, pictures, stdio};
@@ -125,9 +126,16 @@ impl<'a> View<'a> {
 
     fn finish(self, journal: &Journal) -> Result<(), Failure> {
         self.bar.finish_and_clear();
+        let report = write::write(self.out).map_err(|error| Failure::bad(error.to_string()))?;
+        report.defects.iter().for_each(|defect| stdio::complain(defect));
         let records = &journal.results().records;
         let bad = self.pace().bad;
-        let line = format!("{}: {} runs, all done", self.out.display(), records.len());
+        let page = report.files.iter().find(|path| path.extension().is_some_and(|e| e == "html"));
+        let line = format!(
+            "{}: {} runs, all done",
+            page.map_or(self.out, PathBuf::as_path).display(),
+            records.len()
+        );
         if bad == 0 {
             return stdio::say(&line);
         }
@@ -174,14 +182,10 @@ impl Observer for View<'_> {
         }
     }
 
-    fn block_done(&self, block: &Block, journal: &Journal) -> io::Result<()> {
+    fn mesh_done(&self, mesh: &PlannedMesh, journal: &Journal) -> io::Result<()> {
         let left = duration(self.pace().seconds_left());
         let rows = journal.results().records.len();
-        let (mesh, repetition) = (&block.mesh.name, block.repetition + 1);
-        self.say(&format!(
-            "{} {mesh}, repetition {repetition}: {rows} rows, about {left} left",
-            block.experiment
-        ));
-        Ok(())
+        self.say(&format!("{} done: {rows} rows, about {left} left", mesh.name));
+        write::write(self.out).map(|_| ()).map_err(io::Error::other)
     }
 }

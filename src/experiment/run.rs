@@ -44,11 +44,14 @@ pub trait Observer: Sync {
     fn running(&self, _block: &Block, _run: &PlannedRun) {}
     /// A run has its row; `estimate` was its part of the seconds told at first.
     fn finished(&self, _record: &RunRecord, _estimate: f64) {}
-    /// A block is done, and with it a line of the tables.
-    fn block_done(&self, _block: &Block, _journal: &Journal) -> io::Result<()> {
+    /// All that was to be run on a mesh has its rows.
+    fn mesh_done(&self, _mesh: &PlannedMesh, _journal: &Journal) -> io::Result<()> {
         Ok(())
     }
 }
+
+/// A mesh, and its file with that one's hash, or why there is none.
+type AtHand = (PlannedMesh, Result<(PathBuf, String), String>);
 
 /// A block whose mesh is at hand.
 struct Ready<'a> {
@@ -74,14 +77,14 @@ impl Runner {
         let (runs, seconds) = self.left(plan, journal);
         observer.begin(runs, seconds);
         let journal = Mutex::new(journal);
-        let mut at_hand: Option<(PlannedMesh, Result<(PathBuf, String), String>)> = None;
+        let mut at_hand: Option<AtHand> = None;
         for block in &plan.blocks {
             let open = self.open_runs(plan.scale, block, &lock(&journal));
             if open.is_empty() {
                 continue;
             }
             if at_hand.as_ref().is_none_or(|(mesh, _)| *mesh != block.mesh) {
-                self.discard(at_hand.take());
+                self.leave(at_hand.take(), &lock(&journal), observer)?;
                 observer.preparing(&block.mesh);
                 at_hand = Some((block.mesh.clone(), self.prepare(&block.mesh, block.limits)));
             }
@@ -104,10 +107,8 @@ impl Runner {
                     self.run_block(&ready, &open, &journal, clock, observer)?;
                 }
             }
-            observer.block_done(block, &lock(&journal))?;
         }
-        self.discard(at_hand);
-        Ok(())
+        self.leave(at_hand, &lock(&journal), observer)
     }
 
     /// How many runs have no row, and how long they may take.
@@ -277,12 +278,19 @@ impl Runner {
     }
 
     /// Removes a mesh that was made and is no longer needed.
-    fn discard(&self, mesh: Option<(PlannedMesh, Result<(PathBuf, String), String>)>) {
-        if let Some((PlannedMesh { source: Source::Made(..), .. }, Ok((path, _)))) = mesh {
+    fn leave(
+        &self,
+        at_hand: Option<AtHand>,
+        journal: &Journal,
+        observer: &dyn Observer,
+    ) -> io::Result<()> {
+        let Some((mesh, file)) = at_hand else { return Ok(()) };
+        if let (Source::Made(..), Ok((path, _))) = (&mesh.source, file) {
             // What stays behind is replaced the next time.
             let _ = std::fs::remove_file(path);
             let _ = std::fs::remove_dir(&self.workshop);
         }
+        observer.mesh_done(&mesh, journal)
     }
 }
 
