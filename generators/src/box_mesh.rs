@@ -90,8 +90,8 @@ impl BoxShape {
     /// The box: connected, closed, simple, of genus [`BoxShape::holes`], with exactly
     /// [`BoxShape::vertices`] vertices; axis-parallel faces, outward, without self-intersections.
     ///
-    /// The grid is refined where its cells are longest as long as the vertices suffice. What is
-    /// left over goes first into whole grid lines between the shafts, then into whole rings of
+    /// The grid is refined where its cells are longest, those of cavities counting 2/3, as long as
+    /// the vertices suffice. What is left over goes first into whole grid lines between the shafts, then into whole rings of
     /// single shafts, which both leave nearly all degrees at 6. The last few, fewer than a ring or, in a
     /// box without shafts, than a line, become centres of single cells spread over the surface: a
     /// vertex of degree 4 and two of degree 7 each.
