@@ -38,7 +38,8 @@ pub struct Arguments {
     /// lrs (contraction and expansion) flips edges
     #[arg(long, default_value = "tq", value_name = "NAME", value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
-    /// How lrs expands: printed (as published) or few-flips (ours: searches for another pairing before it flips an edge)
+    /// How lrs expands: printed (as published) or few-flips (ours: looks for another pairing before it
+    /// flips an edge)
     #[arg(long, default_value = "printed", value_name = "NAME", value_parser = one_of(Expansion::ALL, Expansion::id))]
     lrs_variant: Expansion,
     /// How the pairing is made perfect: local (ours) or tarjan (as published, slow on purpose)

