@@ -22,7 +22,7 @@ use super::{Failure, generate, pictures, stdio};
 /// it may be interrupted at any time. Tables and page are written after every mesh.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  triquad run experiments/*.toml --scale demo --out results/demo\n  \
+    after_help = "Examples:\n  triquad run experiments/comparison.toml --scale demo --out results/demo\n  \
                         triquad run experiments/comparison.toml --data ~/scans --out results/mine"
 )]
 pub struct Arguments {
