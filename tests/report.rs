@@ -281,17 +281,17 @@ fn strike(records: &mut Vec<RunRecord>, row: usize, blow: Blow) {
 fn blow() -> impl Strategy<Value = Blow> {
     prop_oneof![
         4 => Just(Blow::Lost),
-        Just(Blow::Failed(Outcome::Timeout)),
-        Just(Blow::Failed(Outcome::Invalid)),
-        Just(Blow::Emptied),
-        Just(Blow::NotANumber),
-        Just(Blow::Zeroed),
-        Just(Blow::Doubled),
+        1 => Just(Blow::Failed(Outcome::Timeout)),
+        1 => Just(Blow::Failed(Outcome::Invalid)),
+        1 => Just(Blow::Emptied),
+        1 => Just(Blow::NotANumber),
+        1 => Just(Blow::Zeroed),
+        1 => Just(Blow::Doubled),
     ]
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(8))]
 
     /// Rows that are lost, failed, empty or nonsense make no report fail, and no row vanishes from it.
     #[test]
@@ -300,7 +300,8 @@ proptest! {
     ) {
         let mut results = of_the_papers();
         for (row, blow) in blows {
-            strike(&mut results.records, row.index(results.records.len()), blow);
+            let row = row.index(results.records.len());
+            strike(&mut results.records, row, blow);
         }
         let summary = Summary::of(&results);
         let runs: usize = summary.cells().iter().map(|cell| cell.runs.len()).sum();
