@@ -6,10 +6,11 @@ mod records;
 
 use std::collections::BTreeSet;
 
+use proptest::prelude::*;
 use records::{conversion, of_the_papers, planned, run};
 use triquad::experiment::{Outcome, Results, RunRecord};
 use triquad::report::paper::{PairingRow, Table};
-use triquad::report::{ReportTable, Summary, tables};
+use triquad::report::{ReportTable, Summary, compare, tables};
 
 fn table(results: &Results, file: &str) -> ReportTable {
     let tables = tables::all(&Summary::of(results));
@@ -242,5 +243,77 @@ fn every_table_is_rectangular_and_has_a_file_of_its_own() {
         let names: BTreeSet<&String> = table.header.iter().collect();
         assert_eq!(names.len(), table.header.len(), "{}", table.file);
         assert!(table.rows.iter().all(|row| row.len() == table.header.len()), "{}", table.file);
+    }
+}
+
+/// What a row may suffer.
+#[derive(Clone, Copy, Debug)]
+enum Blow {
+    Lost,
+    Failed(Outcome),
+    Emptied,
+    NotANumber,
+    Zeroed,
+    Doubled,
+}
+
+fn strike(records: &mut Vec<RunRecord>, row: usize, blow: Blow) {
+    let run = &mut records[row];
+    match blow {
+        Blow::Lost => drop(records.remove(row)),
+        Blow::Failed(outcome) => run.outcome = outcome,
+        Blow::Emptied => {
+            (run.unpaired_triangles, run.edges, run.triangles) = (None, None, None);
+            (run.augmentation_seconds, run.seconds, run.genus) = (None, None, None);
+        }
+        Blow::NotANumber => {
+            (run.pairing_seconds, run.seconds) = (Some(f64::NAN), Some(f64::INFINITY));
+        }
+        Blow::Zeroed => {
+            (run.unpaired_triangles, run.augmenting_paths) = (Some(0), Some(0));
+            (run.pairing_seconds, run.seconds) = (Some(0.0), Some(0.0));
+            (run.triangles, run.link_condition_tests) = (Some(0), Some(0));
+        }
+        Blow::Doubled => records.push(records[row].clone()),
+    }
+}
+
+fn blow() -> impl Strategy<Value = Blow> {
+    prop_oneof![
+        4 => Just(Blow::Lost),
+        1 => Just(Blow::Failed(Outcome::Timeout)),
+        1 => Just(Blow::Failed(Outcome::Invalid)),
+        1 => Just(Blow::Emptied),
+        1 => Just(Blow::NotANumber),
+        1 => Just(Blow::Zeroed),
+        1 => Just(Blow::Doubled),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    /// Rows that are lost, failed, empty or nonsense make no report fail, and no row vanishes from it.
+    #[test]
+    fn broken_records_make_a_report(
+        blows in prop::collection::vec((any::<prop::sample::Index>(), blow()), 0..600),
+    ) {
+        let mut results = of_the_papers();
+        for (row, blow) in blows {
+            let row = row.index(results.records.len());
+            strike(&mut results.records, row, blow);
+        }
+        let summary = Summary::of(&results);
+        let runs: usize = summary.cells().iter().map(|cell| cell.runs.len()).sum();
+        prop_assert_eq!(runs, results.records.len());
+        for table in tables::all(&summary) {
+            prop_assert!(table.rows.iter().all(|row| row.len() == table.header.len()));
+            prop_assert!(!table.csv().contains("NaN") && !table.csv().contains("inf"));
+        }
+        let comparison = compare::judge(&summary);
+        for judged in &comparison.verdicts {
+            prop_assert!(!judged.ours.contains("NaN") && !judged.detail.contains("NaN"), "{judged:?}");
+        }
+        prop_assert_eq!(compare::judge(&Summary::of(&results)), comparison);
     }
 }

@@ -1,5 +1,5 @@
 //! Results folders and what `report` and `compare` make of them.
-#![cfg(all(feature = "cli", feature = "report"))]
+#![cfg(feature = "cli")]
 
 #[allow(dead_code)]
 #[path = "common/records.rs"]

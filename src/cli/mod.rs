@@ -4,7 +4,6 @@
 //! names the file, the place, the law and the remedy.
 
 mod check;
-#[cfg(feature = "report")]
 mod compare;
 mod convert;
 mod experiments;
@@ -17,7 +16,6 @@ mod merge;
 mod pictures;
 mod plan;
 mod progress;
-#[cfg(feature = "report")]
 mod report;
 mod run;
 mod simplify;
@@ -58,9 +56,7 @@ enum Verb {
     Plan(plan::Arguments),
     Run(run::Arguments),
     Merge(merge::Arguments),
-    #[cfg(feature = "report")]
     Report(report::Arguments),
-    #[cfg(feature = "report")]
     Compare(compare::Arguments),
 }
 
@@ -128,9 +124,7 @@ pub fn main() -> ExitCode {
         Verb::Plan(arguments) => plan::run(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Merge(arguments) => merge::run(&arguments),
-        #[cfg(feature = "report")]
         Verb::Report(arguments) => report::run(&arguments),
-        #[cfg(feature = "report")]
         Verb::Compare(arguments) => compare::run(&arguments),
     };
     match result {

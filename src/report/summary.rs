@@ -179,9 +179,10 @@ impl Cell {
         self.runs.iter().filter(|run| run.is_ok())
     }
 
-    /// Describes a number of the runs that ended well; `None` where none has it.
+    /// Describes a number of the runs that ended well; `None` where none has it, as a finite number.
     pub fn statistics(&self, number: impl Fn(&RunRecord) -> Option<f64>) -> Option<Statistics> {
-        let values: Vec<f64> = self.ok_runs().filter_map(number).collect();
+        let values: Vec<f64> =
+            self.ok_runs().filter_map(number).filter(|value| value.is_finite()).collect();
         Statistics::of(&values)
     }
 

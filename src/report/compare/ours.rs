@@ -74,6 +74,7 @@ impl<'a> Place<'a> {
         let sample: Sample = cell
             .ok_runs()
             .filter_map(|run| Some((run.repetition, (factor.number.of)(run)?)))
+            .filter(|(_, value)| value.is_finite())
             .collect();
         let mean = sample.iter().map(|run| run.1).sum::<f64>() / sample.len() as f64;
         if factor.number.is_time && mean < SHORTEST {
