@@ -1,4 +1,5 @@
 //! Pictures of quads and of the box: what is marked is what is there.
+#![cfg(feature = "report")]
 
 use std::collections::HashSet;
 

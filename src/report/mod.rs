@@ -1,4 +1,5 @@
-//! What is shown of results: tables, the comparison with the papers, pictures of meshes.
+//! What is shown of results: tables, the comparison with the papers, plots, pictures of meshes, and
+//! one page with all of it.
 //!
 //! Everything is made of records and of the papers' printed values, nothing is measured here.
 //! Pictures know nothing of how a mesh was made: they are drawn from plain

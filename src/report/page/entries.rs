@@ -85,7 +85,7 @@ fn tables<'a>(parts: &Parts<'a>, paper: Paper) -> Vec<Entry<'a>> {
             heading: format!("{name}: {}", table.title()),
             name,
             empty: (!has_runs || ours.is_none()).then_some("No run is recorded for this table."),
-            table: ours.map(View::of),
+            table: ours.map(|table| View::of(table, parts.summary)),
             plots,
             pictures: Vec::new(),
         }
@@ -135,5 +135,5 @@ pub fn other_pictures(parts: &Parts) -> Vec<Figure> {
 /// Tables that the papers do not have.
 pub fn other_tables(parts: &Parts) -> Vec<View> {
     let ours = parts.tables.iter().filter(|table| table.number.is_empty());
-    ours.map(View::of).filter(|view| !view.is_empty()).collect()
+    ours.map(|table| View::of(table, parts.summary)).filter(|view| !view.is_empty()).collect()
 }

@@ -154,8 +154,8 @@ fn name_of(cell: &Cell) -> String {
     format!("{} on {}{mark}{scale}", cell.label(), cell.mesh)
 }
 
-/// Where the commands of a table's cells are.
-pub fn commands_id(number: &str, file: &str) -> Option<String> {
+/// Where the commands of a table's cells are, if there are any.
+pub fn commands_id(summary: &Summary, number: &str, file: &str) -> Option<String> {
     let group = match number {
         "4.3" => "comparison-scans",
         "4.4(i)" => "comparison-A",
@@ -166,5 +166,6 @@ pub fn commands_id(number: &str, file: &str) -> Option<String> {
         _ if file == "table_data.csv" => "comparison-data",
         _ => return (number.is_empty()).then(|| "commands".into()),
     };
-    Some(format!("commands-{group}"))
+    let of_group = |cell: &Cell| format!("{}-{}", cell.experiment, cell.group) == group;
+    summary.cells().iter().any(of_group).then(|| format!("commands-{group}"))
 }

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::facts::commands_id;
 use crate::report::number::significant;
+use crate::report::summary::Summary;
 use crate::report::tables::ReportTable;
 
 /// A table.
@@ -45,8 +46,8 @@ fn is_folded(name: &str) -> bool {
 }
 
 impl View {
-    /// A table with the number of its paper, or without.
-    pub fn of(table: &ReportTable) -> Self {
+    /// A table of `summary`, with the number of its paper or without.
+    pub fn of(table: &ReportTable, summary: &Summary) -> Self {
         let shown: Vec<usize> =
             (0..table.header.len()).filter(|&c| !is_folded(&table.header[c])).collect();
         let is_comparable = !table.notes.iter().any(|note| note.starts_with("Scale "));
@@ -73,7 +74,7 @@ impl View {
                 .collect(),
             rows,
             notes: notes(table),
-            commands: commands_id(table.number, table.file),
+            commands: commands_id(summary, table.number, table.file),
         }
     }
 

@@ -12,6 +12,8 @@ pub struct Group<'a> {
     class: String,
     mark: &'static str,
     meaning: &'static str,
+    /// Whether its claims are unfolded: those that can be judged.
+    open: bool,
     claims: Vec<Claim<'a>>,
 }
 
@@ -44,7 +46,8 @@ fn group(comparison: &Comparison, verdict: Verdict) -> Group<'_> {
     let name = verdict.name();
     let title = format!("{}{}", name[..1].to_uppercase(), &name[1..]);
     let class = name.replace(' ', "-");
-    Group { name, title, class, mark, meaning, claims: own.map(claim).collect() }
+    let open = [Verdict::Reproduced, Verdict::Differs].contains(&verdict);
+    Group { name, title, class, mark, meaning, open, claims: own.map(claim).collect() }
 }
 
 fn claim(judged: &Judged) -> Claim<'_> {

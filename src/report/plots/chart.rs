@@ -245,14 +245,14 @@ pub fn notes<'a>(cells: impl Iterator<Item = &'a Cell> + Clone) -> Vec<String> {
             notes.push(format!("scale {scale}: meshes smaller than the paper's of these names"));
         }
     }
-    let told: [(fn(&Cell) -> bool, &str); 3] = [
+    let told = [
         (
-            Cell::is_stand_in,
+            any(Cell::is_stand_in),
             "hollow or hatched, † : a stand-in for the paper's scan, of other shape",
         ),
-        (Cell::is_extrapolated, "* : extrapolated from a part of the augmenting paths"),
-        (Cell::is_parallel, "runs went on side by side: times are not ranked"),
+        (any(Cell::is_extrapolated), "* : extrapolated from a part of the augmenting paths"),
+        (any(Cell::is_parallel), "runs went on side by side: times are not ranked"),
     ];
-    notes.extend(told.iter().filter(|(test, _)| any(*test)).map(|(_, note)| note.to_string()));
+    notes.extend(told.iter().filter(|told| told.0).map(|told| told.1.to_owned()));
     notes
 }
