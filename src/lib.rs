@@ -20,7 +20,7 @@
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |
 //! | `generate` | boxes, hierarchies and stand-ins, the papers' meshes by name (feature `generate`) | section 4 |
 //! | `experiment` | what is run and what is remembered of it (feature `experiment`) | section 4 |
-//! | `report` | tables, verdicts, pictures; what the papers print (feature `report`) | tables, figures |
+//! | `report` | tables, verdicts, plots, pictures, the page; the papers' printed numbers (feature `report`) | figures, tables |
 //!
 //! A module uses only what stands above it. One type per stage is the proof that the stage before
 //! was done: `FaceList → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.

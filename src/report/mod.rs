@@ -1,4 +1,5 @@
-//! What is shown of results: tables, the comparison with the papers, pictures of meshes.
+//! What is shown of results: tables, the comparison with the papers, plots, pictures of meshes, and
+//! one page with all of it.
 //!
 //! Everything is made of records and of the papers' printed values, nothing is measured here.
 //! Pictures know nothing of how a mesh was made: they are drawn from plain
@@ -10,8 +11,10 @@ pub mod figures;
 pub mod fit;
 pub mod gallery;
 pub mod number;
+pub mod page;
 pub mod paper;
 pub mod picture;
+pub mod plots;
 pub mod statistics;
 pub mod summary;
 pub mod tables;

@@ -4,8 +4,9 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use super::compare::{self, Comparison};
+use super::page::{self, Parts, Pictured};
 use super::summary::Summary;
-use super::tables;
+use super::{gallery, plots, tables};
 use crate::atomic_file::AtomicFile;
 use crate::experiment::Results;
 use crate::experiment::results::ResultsError;
@@ -46,8 +47,8 @@ pub enum ReportError {
     },
 }
 
-/// Writes the tables and verdicts of the records in `folder` into it. The same records give the same
-/// bytes.
+/// Writes tables, verdicts, plots and the page of the records in `folder` into it. The same records and
+/// pictures give the same bytes.
 ///
 /// # Errors
 /// The records cannot be read, or a file cannot be written; then none of the files is half written, and
@@ -56,12 +57,13 @@ pub fn write(folder: &Path) -> Result<Report, ReportError> {
     let results = Results::read(folder)?;
     let summary = Summary::of(&results);
     let comparison = compare::judge(&summary);
-    let files = files(&summary, &comparison);
+    let mut files = files(&summary, &comparison);
+    files.extend(page_files(&results, &summary, &comparison, &pictures_in(folder)));
     let paths = write_all(folder, &files)?;
     Ok(Report { files: paths, comparison, defects: defects(&results, &summary) })
 }
 
-/// What a report consists of, in the order in which it is written.
+/// The tables and verdicts, in the order in which they are written.
 pub fn files(summary: &Summary, comparison: &Comparison) -> Vec<ReportFile> {
     let mut files: Vec<ReportFile> = tables::all(summary)
         .into_iter()
@@ -69,6 +71,40 @@ pub fn files(summary: &Summary, comparison: &Comparison) -> Vec<ReportFile> {
         .collect();
     files.push(ReportFile { name: "compare.csv".into(), bytes: comparison.csv().into_bytes() });
     files
+}
+
+/// The plots, and the page with everything in it.
+pub fn page_files(
+    results: &Results,
+    summary: &Summary,
+    comparison: &Comparison,
+    pictures: &[Pictured],
+) -> Vec<ReportFile> {
+    let (tables, plots) = (tables::all(summary), plots::all(summary));
+    let tables = &tables;
+    let parts = Parts { results, summary, tables, comparison, plots: &plots, pictures };
+    let page = ReportFile { name: "index.html".into(), bytes: page::render(&parts).into_bytes() };
+    let of_plot = |plot: plots::Plot| {
+        let file = |ending: &str, bytes| ReportFile {
+            name: format!("plots/{}.{ending}", plot.stem),
+            bytes,
+        };
+        let (svg, csv) = (plot.svg.into_bytes(), plot.csv.into_bytes());
+        [file("svg", svg), file("png", plot.png), file("csv", csv)]
+    };
+    let mut files = vec![page];
+    files.extend(plots.into_iter().flat_map(of_plot));
+    files
+}
+
+/// The pictures beside the records whose files can be read.
+fn pictures_in(folder: &Path) -> Vec<Pictured> {
+    let folder = folder.join("pictures");
+    let read = |shown: gallery::Shown| {
+        let png = std::fs::read(folder.join(&shown.file)).ok()?;
+        Some(Pictured { shown, png })
+    };
+    gallery::read(&folder).into_iter().filter_map(read).collect()
 }
 
 /// Writes all files before any of them takes the place of an older one.

@@ -16,7 +16,7 @@ pub struct Image {
 
 impl Image {
     /// An image of the given rows, one after the other.
-    pub(super) fn new(width: usize, pixels: Vec<[u8; 4]>) -> Self {
+    pub(in crate::report) fn new(width: usize, pixels: Vec<[u8; 4]>) -> Self {
         debug_assert!(width > 0 && pixels.len().is_multiple_of(width));
         Self { width, height: pixels.len() / width, pixels }
     }
