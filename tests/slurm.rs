@@ -262,20 +262,23 @@ fn repeatable_rows(folder: &Path) -> Vec<String> {
     rows
 }
 
-fn write_program(path: &Path, text: &str) {
-    std::fs::write(path, text).unwrap();
-    std::fs::set_permissions(path, Permissions::from_mode(0o755)).unwrap();
+/// Puts the experiment and the program into the folder of `slurm`.
+fn prepare(slurm: &Slurm) {
+    std::fs::write(slurm.path("tiny.toml"), EXPERIMENT).unwrap();
+    let program = INTERRUPTED
+        .replace("TRIQUAD", env!("CARGO_BIN_EXE_triquad"))
+        .replace("CONFIGURATION", slurm.path("slurm.conf").to_str().unwrap());
+    std::fs::write(slurm.path("triquad"), program).unwrap();
+    std::fs::set_permissions(slurm.path("triquad"), Permissions::from_mode(0o755)).unwrap();
 }
 
 /// Submits the array and tells its id and that of the job that puts the parts together.
-fn submit(slurm: &Slurm) -> [String; 2] {
-    let wrapper = INTERRUPTED
-        .replace("TRIQUAD", env!("CARGO_BIN_EXE_triquad"))
-        .replace("CONFIGURATION", slurm.path("slurm.conf").to_str().unwrap());
-    write_program(&slurm.path("triquad"), &wrapper);
+fn submit(slurm: &Slurm, out: &str, jobs: &str, options: &[&str]) -> [String; 2] {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments/slurm/submit.sh");
     let mut command = slurm.command("bash");
-    command.arg(script).env("SCALE", "demo").env("EXPERIMENTS", "tiny.toml").env("OUT", "out");
+    command.arg(script).args(options).env("OUT", out).env("JOBS", jobs);
+    command.env("SCALE", "demo").env("EXPERIMENTS", "tiny.toml");
+    command.env("DATA", "").env("CACHE", "cache");
     command.env("TRIQUAD", slurm.path("triquad")).env("PARTS", PARTS.to_string());
     command.env("TIME", "3").env("MEMORY_GIGABYTES", "1");
     let output = command.output().unwrap();
@@ -310,30 +313,35 @@ fn a_job_array_gives_the_rows_of_an_undivided_run() {
         return;
     }
     let slurm = Slurm::start();
-    std::fs::write(slurm.path("tiny.toml"), EXPERIMENT).unwrap();
-    let [array, finish] = submit(&slurm);
+    prepare(&slurm);
+    let [array, finish] = submit(&slurm, "out", "1", &[]);
+    let [shared, _] = submit(&slurm, "shared", "2", &["--hold"]);
+    let is_shared = [&array, &shared].map(|id| slurm.jobs(id)[0]["OverSubscribe"] != "NO");
+    assert_eq!(is_shared, [false, true], "nodes are shared only where rows say so");
     let mut undivided = slurm.command(env!("CARGO_BIN_EXE_triquad"));
     undivided.args(["run", "tiny.toml", "--scale", "demo", "--out", "undivided"]);
     undivided.args(["--cache", "cache"]);
     assert!(undivided.output().unwrap().status.success());
     slurm.wait("end of the jobs", |slurm| {
         let over = |state: &String| !["PENDING", "RUNNING", "COMPLETING"].contains(&&state[..]);
-        slurm.jobs(&finish).iter().all(|job| over(&job["JobState"]))
+        slurm.jobs(&finish).iter().any(|job| over(&job["JobState"]))
     });
 
-    for id in [&array, &finish] {
-        for job in slurm.jobs(id) {
+    for (id, tasks) in [(&array, PARTS), (&finish, 1)] {
+        let jobs = slurm.jobs(id);
+        assert_eq!(jobs.len(), tasks);
+        for job in jobs {
             assert_eq!(job["JobState"], "COMPLETED", "{job:?}\n{}", slurm.logs());
             let restarts =
                 if job.get("ArrayTaskId").is_some_and(|id| id == "2") { "1" } else { "0" };
             assert_eq!(job["Restarts"], restarts, "{job:?}");
         }
     }
-    assert_eq!(slurm.jobs(&array).len(), PARTS);
     check_blocks(&slurm);
     let rows = repeatable_rows(&slurm.path("out/whole"));
     assert_eq!(rows.len(), RUNS);
     assert_eq!(rows, repeatable_rows(&slurm.path("undivided")));
     let text = std::fs::read_to_string(slurm.path("out/whole/runs.csv")).unwrap();
     assert_eq!(text.lines().count(), 1 + RUNS);
+    assert!(slurm.path("out/whole/compare.csv").exists(), "{}", slurm.logs());
 }

@@ -17,9 +17,7 @@ for ((part = 1; part <= PARTS; part++)); do
 done
 if ((${#folders[@]})); then
     "$triquad" merge "${folders[@]}" --out "$OUT/whole"
-    if "$triquad" report --help >/dev/null 2>&1; then
-        "$triquad" report "$OUT/whole"
-    fi
+    "$triquad" report "$OUT/whole"
 fi
 if ((${#incomplete[@]})); then
     echo "not complete: parts ${incomplete[*]}; see $OUT/logs, then submit again with the same settings" >&2

@@ -105,7 +105,7 @@ pub fn main() -> ExitCode {
     // An interrupted process leaves no half-written file; what is finished stays.
     let handler = || {
         triquad::atomic_file::abandon_all();
-        std::process::exit(130);
+        std::process::exit(triquad::experiment::process::INTERRUPTED);
     };
     if let Err(error) = ctrlc::set_handler(handler) {
         stdio::complain(&format!("interrupts will not be cleaned up after: {error}"));

@@ -200,10 +200,13 @@ impl Plan {
     }
 
     /// Keeps every `of`th block, from the `shard`th, counted from 1. Blocks are dealt out within each
-    /// mesh, so that a mesh's repetitions spread.
+    /// mesh, so that a mesh's repetitions spread. The first part has the pictures.
     pub fn shard(&mut self, shard: usize, of: usize) {
         let mut place = 0..;
         self.blocks.retain(|_| place.next().is_some_and(|i: usize| i % of == shard - 1));
+        if shard != 1 {
+            self.pictured.clear();
+        }
     }
 
     /// What is planned, one row for each mesh and job.
@@ -349,21 +352,23 @@ mod tests {
 
     #[test]
     fn shards_share_out_every_block_once() {
-        let whole = Plan::of(&[experiment(GROUPS)], Scale::Demo, &[]).unwrap();
+        let mut whole = Plan::of(&[experiment(GROUPS)], Scale::Demo, &[]).unwrap();
+        whole.pictured.push(whole.blocks[0].mesh.clone());
         let names = |plan: &Plan| {
             let name = |block: &Block| format!("{} {}", block.mesh.name, block.repetition);
             plan.blocks.iter().map(name).collect::<Vec<_>>()
         };
-        let mut dealt = Vec::new();
+        let (mut dealt, mut pictured) = (Vec::new(), 0);
         for shard in 1..=3 {
             let mut part = whole.clone();
             part.shard(shard, 3);
             dealt.extend(names(&part));
+            pictured += part.pictured.len();
         }
         dealt.sort();
         let mut all = names(&whole);
         all.sort();
-        assert_eq!(dealt, all);
+        assert_eq!((dealt, pictured), (all, 1));
     }
 
     #[test]

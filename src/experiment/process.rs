@@ -14,6 +14,12 @@ use super::spec::Limits;
 /// Set for the processes of runs: they end with the process that started them.
 pub const RUN_VARIABLE: &str = "TRIQUAD_RUN";
 
+/// Exit code of a `triquad` that was interrupted.
+pub const INTERRUPTED: i32 = 130;
+
+/// How long an interrupt may take from a run's process to this one.
+const GRACE: Duration = Duration::from_secs(1);
+
 /// How a run's process ended.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ending {
@@ -45,8 +51,20 @@ pub fn run(program: &Path, arguments: &[OsString], limits: Limits) -> io::Result
         None => {
             Ending::bad(Outcome::Timeout, format!("stopped after {} s", limits.timeout_seconds))
         }
-        Some(output) => Ending::of(output),
+        Some(output) => {
+            if was_stopped(output.status) {
+                // A terminal or a batch system stops both: then this process ends here, before a row
+                // says that the run has crashed.
+                std::thread::sleep(GRACE);
+            }
+            Ending::of(output)
+        }
     })
+}
+
+/// Whether a process was ended from outside.
+fn was_stopped(status: ExitStatus) -> bool {
+    status.code().is_none_or(|code| code == i64::from(INTERRUPTED))
 }
 
 impl Ending {
@@ -82,6 +100,8 @@ fn reason(status: ExitStatus, last_line: &str) -> String {
 
 #[cfg(all(test, unix))]
 mod tests {
+    use std::time::Instant;
+
     use super::*;
 
     fn ending(script: &str, timeout_seconds: u64) -> Ending {
@@ -112,6 +132,13 @@ mod tests {
     fn memory_is_limited() {
         let limit = ending("sleep 0.3; ulimit -v", 9).output;
         assert_eq!(String::from_utf8(limit).unwrap().trim(), (1_000_000_000 / 1024).to_string());
+    }
+
+    #[test]
+    fn there_is_time_for_an_interrupt_before_a_run_counts_as_crashed() {
+        let start = Instant::now();
+        assert_eq!(ending("exit 130", 9).outcome, Outcome::Crash);
+        assert!(start.elapsed() >= GRACE);
     }
 
     #[test]
