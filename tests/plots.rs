@@ -20,7 +20,7 @@ fn plot(stem: &str, change: impl Fn(&mut RunRecord)) -> Option<Plot> {
     results.records.retain(|run| run.repetition < 2);
     results.planned.clear();
     results.records.iter_mut().for_each(change);
-    plots_of(&results).into_iter().find(|plot| plot.stem == stem)
+    plots::named(&Summary::of(&results), stem)
 }
 
 /// What is written in a plot.

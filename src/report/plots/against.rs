@@ -79,6 +79,12 @@ impl<'a> Rows<'a> {
         };
         let cells: Vec<&Cell> =
             kept.iter().flat_map(|&row| self.cells(&self.meshes[row])).collect();
+        let mut notes = notes(cells.into_iter());
+        let is_shown = |note: &String| {
+            let points = || self.series.iter().flat_map(|series| &series.points);
+            !note.starts_with('*') || points().any(|point| point.extrapolated)
+        };
+        notes.retain(is_shown);
         Chart {
             title: title.into(),
             x_name: x_name.into(),
@@ -88,7 +94,7 @@ impl<'a> Rows<'a> {
             rows: kept.iter().map(name).collect(),
             bars: Vec::new(),
             line: Some((1.0, sides.map(str::to_owned))),
-            notes: notes(cells.into_iter()),
+            notes,
             series: self.series,
         }
     }
@@ -126,7 +132,7 @@ fn lrs_against_ps(summary: &Summary) -> (Words, Chart) {
             row.map(|row| row.total_seconds)
         };
         // Where nothing of ours is, the paper's alone would say nothing.
-        summary.cell("comparison", mesh, "lrs", None, "tarjan")?;
+        summary.cell("comparison", mesh, "lrs", None, "tarjan")?.ok_runs().next()?;
         Some((total("lrs")? / total("ps")?, false))
     };
     rows.add("in the paper", Look { colour: GREY, mark: Mark::Down }, true, &in_paper);

@@ -75,7 +75,7 @@ pub struct Bar {
     pub label: String,
     /// Seconds of the pairing, and of pairing and augmentation; none if no run ended well.
     pub parts: Option<[f64; 2]>,
-    /// Written at its end.
+    /// Written to the right of it.
     pub text: String,
     /// Whether the augmentation was stopped and its time extrapolated.
     pub extrapolated: bool,
@@ -145,7 +145,8 @@ impl Chart {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let of_bars =
             self.bars.iter().flat_map(|bar| bar.parts.into_iter().flatten().chain(bar.paper));
-        let line = self.line.iter().map(|line| line.0);
+        // What lies on either side of the line needs room to be named.
+        let line = self.line.iter().flat_map(|line| [0.4 * line.0, 2.5 * line.0]);
         let x = Axis::of(self.x_spread, points().map(|point| point.x).chain(of_bars).chain(line));
         if self.y_spread == Spread::Rows {
             return (x, Axis::rows(&self.rows));

@@ -138,7 +138,7 @@ fn draw_line<DB: DrawingBackend>(
     sheet.text(&sides[1], (x + gap, y), SMALL, HPos::Left)
 }
 
-/// Draws the two parts of a bar, its text, and the paper's total.
+/// Draws the two parts of a bar, the paper's total, and to the right its text.
 fn draw_bar<DB: DrawingBackend>(sheet: &Sheet<DB>, places: &Places<DB>, bar: &Bar) -> Drawn<DB> {
     let (low, _) = places.as_coord_spec().x_spec().bounds();
     let origin = places.backend_coord(&(low, -(bar.row as f64)));
@@ -156,15 +156,13 @@ fn draw_bar<DB: DrawingBackend>(sheet: &Sheet<DB>, places: &Places<DB>, bar: &Ba
         }
     }
     let look = Look { colour: GREY, mark: Mark::Down };
-    let paper = bar.paper.and_then(|paper| pixel(places, paper, bar.row as f64));
-    if let Some(at) = paper {
+    if let Some(at) = bar.paper.and_then(|paper| pixel(places, paper, bar.row as f64)) {
         sheet.mark(at, look, true)?;
     }
-    // The paper's mark must not hide the text.
-    let hidden =
-        paper.is_some_and(|(x, _)| (end - 6 * sheet.scale..end + 60 * sheet.scale).contains(&x));
-    let start = if hidden { paper.map_or(end, |at| at.0) + 4 * sheet.scale } else { end };
-    sheet.text(&bar.text, (start + 5 * sheet.scale, origin.1), SMALL, HPos::Left)
+    // In a column of their own, totals are not taken for the paper's; outcomes need more room.
+    let right = places.plotting_area().get_pixel_range().0.end;
+    let start = if bar.parts.is_some() { right } else { origin.0 };
+    sheet.text(&bar.text, (start + 8 * sheet.scale, origin.1), SMALL, HPos::Left)
 }
 
 /// Draws points, their ranges, and the lines that join them.
@@ -203,6 +201,8 @@ fn draw_key<DB: DrawingBackend>(sheet: &Sheet<DB>, chart: &Chart) -> Drawn<DB> {
     if chart.bars.is_empty() {
         return Ok(());
     }
+    let column = ((WIDTH as i32 - 76) * sheet.scale, (HEAD as i32 - 9) * sheet.scale);
+    sheet.text("our total", column, SMALL, HPos::Left)?;
     let half = 6 * sheet.scale;
     for (paint, name) in [(BLUE, "(a) initial pairing"), (ORANGE, "(d) augmentation")] {
         sheet.bar([(x - half, y - half), (x + half, y + half)], colour(paint))?;

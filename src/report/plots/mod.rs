@@ -1,7 +1,7 @@
 //! Plots of records: counterparts of the second paper's Figures 15 to 18, of the first one's tables,
 //! and of what neither shows.
 //!
-//! A [`chart::Chart`] says what is shown, [`draw`] draws it with `plotters`; the text is set in a font
+//! A chart says what is shown, `draw` draws it with `plotters`; the text is set in a font
 //! that is part of the program, so that nothing of the system is needed and each byte is the same
 //! everywhere.
 
@@ -50,9 +50,18 @@ struct Words {
 
 /// Every plot that there is something for. O(cells²), and O(pixels) for each.
 pub fn all(summary: &Summary) -> Vec<Plot> {
+    charts(summary).map(plot).collect()
+}
+
+/// The plot whose files have that name, if there is something for it.
+pub fn named(summary: &Summary, stem: &str) -> Option<Plot> {
+    charts(summary).find(|(words, _)| words.stem == stem).map(plot)
+}
+
+fn charts(summary: &Summary) -> impl Iterator<Item = (Words, Chart)> {
     let charts = [growth::figures(summary), stacks::all(summary), against::all(summary)];
     let charts = charts.into_iter().flatten().chain(growth::totals(summary));
-    charts.filter(|(_, chart)| !chart.is_empty()).map(plot).collect()
+    charts.filter(|(_, chart)| !chart.is_empty())
 }
 
 fn plot((words, chart): (Words, Chart)) -> Plot {
