@@ -62,7 +62,7 @@ pub fn draw(
 fn read_or_make(mesh: &PlannedMesh, cache: Option<&Path>) -> Result<FaceList, Failure> {
     let name = &mesh.name;
     match &mesh.source {
-        Source::File(path) => super::input::read(path),
+        Source::File(path, _) => super::input::read(path),
         Source::Made(made, _) => match cache {
             Some(folder) => Cache::new(folder).get(&made.recipe),
             None => made.recipe.make(),

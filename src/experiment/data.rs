@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::machine::hash_of_file;
 use crate::generate::paper::PaperMesh;
 use crate::mesh::{self, Format};
 use crate::triangulation::Triangulation;
@@ -14,6 +15,8 @@ pub struct DataMesh {
     pub name: String,
     /// The file.
     pub path: PathBuf,
+    /// SHA-256 of the file, in hexadecimal digits.
+    pub sha256: String,
     /// n_v, where it is a triangulation.
     pub vertices: u32,
     /// n_f.
@@ -59,7 +62,9 @@ fn name_of(path: &Path) -> String {
 
 impl DataMesh {
     fn read(name: String, path: PathBuf) -> Self {
-        let mut mesh = Self { name, path, vertices: 0, triangles: 0, genus: 0, problem: None };
+        let sha256 = hash_of_file(&path).unwrap_or_default();
+        let mut mesh =
+            Self { name, path, sha256, vertices: 0, triangles: 0, genus: 0, problem: None };
         match mesh::read(&mesh.path) {
             Err(error) => mesh.problem = Some(error.to_string()),
             Ok(list) => match Triangulation::build(&list) {

@@ -71,8 +71,8 @@ pub struct PlannedMesh {
 /// Where a mesh comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// A file of the user's.
-    File(PathBuf),
+    /// A file of the user's, and its SHA-256.
+    File(PathBuf, String),
     /// Made to order, at a scale.
     Made(PaperMesh, Scale),
 }
@@ -249,7 +249,7 @@ impl PlannedMesh {
             vertices: mesh.vertices,
             triangles: mesh.triangles,
             genus: mesh.genus,
-            source: Source::File(mesh.path.clone()),
+            source: Source::File(mesh.path.clone(), mesh.sha256.clone()),
         }
     }
 
@@ -267,7 +267,7 @@ impl PlannedMesh {
     /// `real`, `generated`, `simplified` or `stand-in`.
     pub fn kind(&self) -> &'static str {
         match &self.source {
-            Source::File(_) => "real",
+            Source::File(..) => "real",
             Source::Made(mesh, _) => mesh.kind(),
         }
     }
@@ -302,6 +302,7 @@ mod tests {
         DataMesh {
             name: name.into(),
             path: format!("{name}.ply").into(),
+            sha256: String::new(),
             vertices,
             triangles: 2 * (vertices + 2 * genus - 2),
             genus,

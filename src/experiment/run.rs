@@ -215,13 +215,7 @@ impl Runner {
     /// Equal for equal work: mesh, algorithm, parameters, seed, program.
     fn key(&self, scale: Scale, block: &Block, run: &PlannedRun) -> String {
         let mesh = match &block.mesh.source {
-            // A file is told by its size and age too: what is edited runs again.
-            Source::File(path) => {
-                let about = std::fs::metadata(path);
-                let changed = about.as_ref().ok().and_then(|about| about.modified().ok());
-                let length = about.map_or(0, |about| about.len());
-                format!("{} {length} {changed:?}", path.display())
-            }
+            Source::File(_, sha256) => sha256.clone(),
             // The program fixes its bytes.
             Source::Made(made, _) => made.recipe.key(),
         };
@@ -246,7 +240,7 @@ impl Runner {
     /// Makes sure that the mesh is in a file, and tells which and its hash.
     fn prepare(&self, mesh: &PlannedMesh, limits: Limits) -> Result<(PathBuf, String), String> {
         let path = match &mesh.source {
-            Source::File(path) => path.clone(),
+            Source::File(path, _) => path.clone(),
             Source::Made(made, scale) => self.make(mesh, made.name, *scale, limits)?,
         };
         let hash = machine::hash_of_file(&path);
@@ -317,7 +311,7 @@ fn options(run: &PlannedRun) -> Vec<String> {
 /// What a reader types to see the same.
 fn command(mesh: &PlannedMesh, run: &PlannedRun) -> String {
     let (make, file) = match &mesh.source {
-        Source::File(path) => {
+        Source::File(path, _) => {
             (String::new(), path.file_name().unwrap_or_default().to_string_lossy().into_owned())
         }
         Source::Made(made, scale) => {
@@ -373,6 +367,8 @@ fn fill(record: &RunRecord, output: &[u8]) -> Result<RunRecord, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::clock::SteppingClock;
+    use crate::experiment::spec::Experiment;
     use crate::generate::paper;
 
     fn mesh() -> PlannedMesh {
@@ -396,6 +392,69 @@ mod tests {
         assert!(record.is_ok(), "{}", record.reason);
         assert_eq!((record.pairing_seconds, record.unpaired_triangles), (Some(0.25), Some(8)));
         assert_eq!((&record.algorithm[..], record.seed), ("ps", 7));
+    }
+
+    const EXPERIMENT: &str = r#"
+        name = "tiny"
+        title = ""
+        task = "convert"
+        seed = 3
+        [limits]
+        timeout_seconds = 9
+        memory_gigabytes = 1
+        [[group]]
+        name = "scans"
+        meshes = ["botijo"]
+        [[group.run]]
+        algorithms = ["sg", "ps", "lrs", "ds"]
+        augmentations = ["tarjan"]
+        repetitions = { full = 2, small = 2, demo = 2 }
+    "#;
+
+    /// A `triquad` with an answer for everything; DS fails its check.
+    const PROGRAM: &str = r#"#!/bin/sh
+        if [ "$1" = generate ]; then
+            while [ "$1" != -o ]; do shift; done
+            echo mesh > "$2"
+            exit
+        fi
+        case "$4" in
+            ds) echo "the result failed its check" >&2; exit 1 ;;
+            lrs) unpaired=4 ;;
+            *) unpaired=12 ;;
+        esac
+        echo '{"vertices": 200, "edges": 600, "triangles": 400, "genus": 1, "components": 1,'
+        echo '"unpaired_triangles": '$unpaired', "pairing_seconds": 0.5, "augmentation_seconds": 0.25}'
+    "#;
+
+    /// What is written down is what was answered, byte for byte, under a scripted clock.
+    #[cfg(unix)]
+    #[test]
+    fn the_records_of_scripted_runs_are_what_they_were() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let program = folder.path().join("scripted");
+        std::fs::write(&program, PROGRAM).unwrap();
+        std::fs::set_permissions(&program, std::fs::Permissions::from_mode(0o755)).unwrap();
+        let runner = Runner {
+            program,
+            program_hash: "fixed".into(),
+            machine: "here".into(),
+            workshop: folder.path().join("meshes"),
+            cache: None,
+            jobs: 1,
+        };
+        let experiment: Experiment = toml::from_str(EXPERIMENT).unwrap();
+        let plan = Plan::of(&[experiment], Scale::Demo, &[]).unwrap();
+        let mut journal = Journal::open(&folder.path().join("out")).unwrap();
+        struct Silent;
+        impl Observer for Silent {}
+        runner.execute(&plan, &mut journal, &SteppingClock::new(0.25), &Silent).unwrap();
+        let rows = std::fs::read_to_string(folder.path().join("out/runs.csv")).unwrap();
+        let rows = rows.replace(&machine::program(), "this program");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/scripted_runs.csv");
+        let golden = std::fs::read_to_string(path).unwrap_or_default();
+        assert!(rows == golden, "the rows are now:\n{rows}");
     }
 
     #[test]
