@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
@@ -19,7 +20,8 @@ use super::{Failure, generate, pictures, stdio};
 /// Carry out experiments, each run in a process of its own, each a row of runs.csv
 ///
 /// A row is on the disk before the next run begins. Started again, only what has no row is run, so
-/// it may be interrupted at any time. Tables and page are written after every mesh.
+/// it may be interrupted at any time. Tables are written after every mesh,
+/// the page every minute and at the end.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  triquad run experiments/comparison.toml --scale demo --out results/demo\n  \
@@ -88,7 +90,11 @@ struct View<'a> {
     out: &'a Path,
     bar: ProgressBar,
     pace: Mutex<Pace>,
+    page_written: Mutex<Instant>,
 }
+
+/// How long the page may lag behind: drawing its plots takes a moment.
+const PAGE_EVERY: Duration = Duration::from_secs(60);
 
 /// How estimates compare with what runs took.
 #[derive(Default)]
@@ -109,7 +115,12 @@ impl Pace {
 
 impl<'a> View<'a> {
     fn new(out: &'a Path) -> Self {
-        Self { out, bar: ProgressBar::no_length(), pace: Mutex::default() }
+        Self {
+            out,
+            bar: ProgressBar::no_length(),
+            pace: Mutex::default(),
+            page_written: Mutex::new(Instant::now()),
+        }
     }
 
     fn say(&self, line: &str) {
@@ -186,6 +197,13 @@ impl Observer for View<'_> {
         let left = duration(self.pace().seconds_left());
         let rows = journal.results().records.len();
         self.say(&format!("{} done: {rows} rows, about {left} left", mesh.name));
-        write::write(self.out).map(|_| ()).map_err(io::Error::other)
+        let mut page_written = self.page_written.lock().unwrap_or_else(PoisonError::into_inner);
+        let written = if page_written.elapsed() < PAGE_EVERY {
+            write::write_tables(self.out)
+        } else {
+            *page_written = Instant::now();
+            write::write(self.out)
+        };
+        written.map(|_| ()).map_err(io::Error::other)
     }
 }

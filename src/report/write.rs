@@ -54,11 +54,25 @@ pub enum ReportError {
 /// The records cannot be read, or a file cannot be written; then none of the files is half written, and
 /// none is replaced unless all of them could be written.
 pub fn write(folder: &Path) -> Result<Report, ReportError> {
+    write_with(folder, true)
+}
+
+/// Like [`write()`], without plots and page: soon done.
+///
+/// # Errors
+/// See [`write()`].
+pub fn write_tables(folder: &Path) -> Result<Report, ReportError> {
+    write_with(folder, false)
+}
+
+fn write_with(folder: &Path, page: bool) -> Result<Report, ReportError> {
     let results = Results::read(folder)?;
     let summary = Summary::of(&results);
     let comparison = compare::judge(&summary);
     let mut files = files(&summary, &comparison);
-    files.extend(page_files(&results, &summary, &comparison, &pictures_in(folder)));
+    if page {
+        files.extend(page_files(&results, &summary, &comparison, &pictures_in(folder)));
+    }
     let paths = write_all(folder, &files)?;
     Ok(Report { files: paths, comparison, defects: defects(&results, &summary) })
 }
