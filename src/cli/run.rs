@@ -19,8 +19,8 @@ use super::{Failure, generate, pictures, stdio};
 
 /// Carry out experiments, each run in a process of its own, each a row of runs.csv
 ///
-/// A row is on the disk before the next run begins. Started again, only what has no row is run, so
-/// it may be interrupted at any time. Tables are written after every mesh,
+/// A row is on the disk before the next run begins. Started again, only what has no row is run, so it
+/// may be interrupted at any time. Tables are written after every block, at most every five seconds,
 /// the page every minute and at the end.
 #[derive(clap::Args)]
 #[command(
@@ -90,9 +90,17 @@ struct View<'a> {
     out: &'a Path,
     bar: ProgressBar,
     pace: Mutex<Pace>,
-    page_written: Mutex<Instant>,
+    written: Mutex<Written>,
 }
 
+/// When tables and page were last written.
+struct Written {
+    tables: Instant,
+    page: Instant,
+}
+
+/// How long tables may lag behind where blocks take less than that.
+const TABLES_EVERY: Duration = Duration::from_secs(5);
 /// How long the page may lag behind: drawing its plots takes a moment.
 const PAGE_EVERY: Duration = Duration::from_secs(60);
 
@@ -115,12 +123,9 @@ impl Pace {
 
 impl<'a> View<'a> {
     fn new(out: &'a Path) -> Self {
-        Self {
-            out,
-            bar: ProgressBar::no_length(),
-            pace: Mutex::default(),
-            page_written: Mutex::new(Instant::now()),
-        }
+        let now = Instant::now();
+        let written = Mutex::new(Written { tables: now, page: now });
+        Self { out, bar: ProgressBar::no_length(), pace: Mutex::default(), written }
     }
 
     fn say(&self, line: &str) {
@@ -193,17 +198,24 @@ impl Observer for View<'_> {
         }
     }
 
-    fn mesh_done(&self, mesh: &PlannedMesh, journal: &Journal) -> io::Result<()> {
+    fn block_done(&self) -> io::Result<()> {
+        let mut written = self.written.lock().unwrap_or_else(PoisonError::into_inner);
+        let now = Instant::now();
+        let report = if now - written.page >= PAGE_EVERY {
+            *written = Written { page: now, tables: now };
+            write::write(self.out)
+        } else if now - written.tables >= TABLES_EVERY {
+            written.tables = now;
+            write::write_tables(self.out)
+        } else {
+            return Ok(());
+        };
+        report.map(|_| ()).map_err(io::Error::other)
+    }
+
+    fn mesh_done(&self, mesh: &PlannedMesh, journal: &Journal) {
         let left = duration(self.pace().seconds_left());
         let rows = journal.results().records.len();
         self.say(&format!("{} done: {rows} rows, about {left} left", mesh.name));
-        let mut page_written = self.page_written.lock().unwrap_or_else(PoisonError::into_inner);
-        let written = if page_written.elapsed() < PAGE_EVERY {
-            write::write_tables(self.out)
-        } else {
-            *page_written = Instant::now();
-            write::write(self.out)
-        };
-        written.map(|_| ()).map_err(io::Error::other)
     }
 }

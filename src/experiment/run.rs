@@ -44,10 +44,12 @@ pub trait Observer: Sync {
     fn running(&self, _block: &Block, _run: &PlannedRun) {}
     /// A run has its row; `estimate` was its part of the seconds told at first.
     fn finished(&self, _record: &RunRecord, _estimate: f64) {}
-    /// All that was to be run on a mesh has its rows.
-    fn mesh_done(&self, _mesh: &PlannedMesh, _journal: &Journal) -> io::Result<()> {
+    /// All runs of a block have their rows.
+    fn block_done(&self) -> io::Result<()> {
         Ok(())
     }
+    /// All that was to be run on a mesh has its rows.
+    fn mesh_done(&self, _mesh: &PlannedMesh, _journal: &Journal) {}
 }
 
 /// A mesh, and its file with that one's hash, or why there is none.
@@ -84,7 +86,7 @@ impl Runner {
                 continue;
             }
             if at_hand.as_ref().is_none_or(|(mesh, _)| *mesh != block.mesh) {
-                self.leave(at_hand.take(), &lock(&journal), observer)?;
+                self.leave(at_hand.take(), &lock(&journal), observer);
                 observer.preparing(&block.mesh);
                 at_hand = Some((block.mesh.clone(), self.prepare(&block.mesh, block.limits)));
             }
@@ -107,8 +109,10 @@ impl Runner {
                     self.run_block(&ready, &open, &journal, clock, observer)?;
                 }
             }
+            observer.block_done()?;
         }
-        self.leave(at_hand, &lock(&journal), observer)
+        self.leave(at_hand, &lock(&journal), observer);
+        Ok(())
     }
 
     /// How many runs have no row, and how long they may take.
@@ -272,19 +276,14 @@ impl Runner {
     }
 
     /// Removes a mesh that was made and is no longer needed.
-    fn leave(
-        &self,
-        at_hand: Option<AtHand>,
-        journal: &Journal,
-        observer: &dyn Observer,
-    ) -> io::Result<()> {
-        let Some((mesh, file)) = at_hand else { return Ok(()) };
+    fn leave(&self, at_hand: Option<AtHand>, journal: &Journal, observer: &dyn Observer) {
+        let Some((mesh, file)) = at_hand else { return };
         if let (Source::Made(..), Ok((path, _))) = (&mesh.source, file) {
             // What stays behind is replaced the next time.
             let _ = std::fs::remove_file(path);
             let _ = std::fs::remove_dir(&self.workshop);
         }
-        observer.mesh_done(&mesh, journal)
+        observer.mesh_done(&mesh, journal);
     }
 }
 
