@@ -1,5 +1,6 @@
 //! From experiment files to the runs that they ask for, in the order in which they are executed.
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use super::data::DataMesh;
@@ -109,6 +110,9 @@ impl Plan {
                 plan.pictured.push(pictured.ok_or_else(|| unknown(experiment, name))?);
             }
         }
+        // Two experiments may have the same to say.
+        let mut said = BTreeSet::new();
+        plan.remarks.retain(|remark| said.insert(remark.clone()));
         Ok(plan)
     }
 
@@ -386,6 +390,8 @@ mod tests {
         assert_eq!(kind("botijo-2"), Some("real"));
         assert_eq!([kind("Botijo_scan"), kind("torn")], [None, None]);
         assert_eq!(plan.remarks.len(), 1, "{:?}", plan.remarks);
+        let twice = [experiments[0].clone(), experiments[0].clone()];
+        assert_eq!(Plan::of(&twice, Scale::Full, &data).unwrap().remarks, plan.remarks);
         let plan = Plan::of(&experiments, Scale::Demo, &data).unwrap();
         assert_eq!(plan.blocks[0].mesh.kind(), "stand-in");
     }
