@@ -8,7 +8,7 @@
 //! makes up for it: more vertices have come back since, and there are more ways.
 //!
 //! Of the edges of 41 scans and parts 0.07 to 0.9 % stay flipped, 4 to 130 times fewer than as
-//! published, in 1.2 to 2.2 times the time.
+//! published, in 0.9 to 2.2 times the time.
 
 use super::marks::{Mark, Marks};
 use super::search::Search;
