@@ -1,6 +1,6 @@
 # Everything here needs a Rust toolchain and nothing else.
 CARGO ?= cargo
-TRIQUAD := target/release/triquad
+TRIQUAD := $(or $(CARGO_TARGET_DIR),target)/release/triquad
 EXPERIMENTS := experiments/comparison.toml experiments/irreducible.toml
 # Where results go; the small ones of `make demo` beside them.
 OUT ?= results/local
