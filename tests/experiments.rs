@@ -1,11 +1,15 @@
 //! Experiments as their users meet them: planned, run, interrupted, damaged, shared out, merged.
 #![cfg(feature = "cli")]
 
+#[path = "common/repeatable.rs"]
+mod repeatable;
+
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use repeatable::repeatable;
 use tempfile::TempDir;
 use triquad::experiment::{Outcome, Results, RunRecord};
 use triquad::mesh::{FaceList, Output as MeshOutput};
@@ -103,23 +107,6 @@ impl Workshop {
         let list = FaceList::from_triangles(surface.positions.clone(), surface.triangles.clone());
         std::fs::create_dir_all(self.path("data")).unwrap();
         MeshOutput::create(&self.path(name)).unwrap().write(&list).unwrap();
-    }
-}
-
-/// A record without what may differ between two runs of the same: times, memory, machine.
-fn repeatable(record: &RunRecord) -> RunRecord {
-    RunRecord {
-        machine: String::new(),
-        process_seconds: 0.0,
-        read_seconds: None,
-        build_seconds: None,
-        pairing_seconds: None,
-        augmentation_seconds: None,
-        total_seconds: None,
-        seconds: None,
-        check_seconds: None,
-        peak_memory_bytes: None,
-        ..record.clone()
     }
 }
 

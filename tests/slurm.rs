@@ -4,6 +4,9 @@
 //! be. They listen on 127.0.0.1 alone, and end with the test or after three minutes.
 #![cfg(all(target_os = "linux", feature = "cli"))]
 
+#[path = "common/repeatable.rs"]
+mod repeatable;
+
 use std::collections::BTreeMap;
 use std::fs::Permissions;
 use std::net::TcpListener;
@@ -12,8 +15,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
+use repeatable::repeatable;
 use tempfile::TempDir;
-use triquad::experiment::{Results, RunRecord};
+use triquad::experiment::Results;
 
 const PARTS: usize = 3;
 
@@ -238,26 +242,9 @@ fn free_ports() -> [u16; 3] {
     listeners.map(|listener| listener.local_addr().unwrap().port())
 }
 
-/// A record without what may differ between two runs of the same: times, memory, machine.
-fn repeatable(record: &RunRecord) -> String {
-    let record = RunRecord {
-        machine: String::new(),
-        process_seconds: 0.0,
-        read_seconds: None,
-        build_seconds: None,
-        pairing_seconds: None,
-        augmentation_seconds: None,
-        total_seconds: None,
-        seconds: None,
-        check_seconds: None,
-        peak_memory_bytes: None,
-        ..record.clone()
-    };
-    format!("{record:?}")
-}
-
 fn repeatable_rows(folder: &Path) -> Vec<String> {
-    let mut rows: Vec<_> = Results::read(folder).unwrap().records.iter().map(repeatable).collect();
+    let records = Results::read(folder).unwrap().records;
+    let mut rows: Vec<_> = records.iter().map(|row| format!("{:?}", repeatable(row))).collect();
     rows.sort();
     rows
 }
