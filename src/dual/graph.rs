@@ -2,7 +2,7 @@
 
 use crate::mesh::MAX_CORNERS;
 use crate::prefetch::prefetch;
-use crate::triangulation::{HalfEdgeId, Id, TriangleId, Triangulation};
+use crate::triangulation::{Id, Side, TriangleId, Triangulation};
 
 /// For each triangle its three neighbours, or none where there is a boundary.
 ///
@@ -55,8 +55,8 @@ pub enum NotADualGraph {
 impl DualGraph {
     /// The dual graph of a triangulation: neighbour `i` of a triangle lies across its side `i`. O(n).
     pub fn of(triangulation: &Triangulation) -> Self {
-        let (sides, _) = triangulation.twins().as_chunks::<3>();
-        let row = |twins: &[HalfEdgeId; 3]| Row::new(twins.map(|twin| twin.triangle()));
+        let (sides, _) = triangulation.sides().as_chunks::<3>();
+        let row = |sides: &[Side; 3]| Row::new(sides.map(|side| side.twin.triangle()));
         Self { rows: sides.iter().map(row).collect(), has_boundary: false }
     }
 

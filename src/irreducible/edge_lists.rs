@@ -3,6 +3,7 @@
 use std::ops::{Index, IndexMut};
 
 use super::Discipline;
+use crate::prefetch::prefetch;
 use crate::triangulation::{Id, IdVec, VertexId};
 
 /// One of the two lists of edges at the vertex u that is being processed.
@@ -49,6 +50,12 @@ impl<T: Copy> EdgeLists<T> {
         lists.clear(List::Untested);
         lists.clear(List::Tested);
         lists
+    }
+
+    /// Has the cache fetch what is known of `v`.
+    #[inline]
+    pub(super) fn prefetch(&self, v: VertexId) {
+        prefetch(self.nodes.as_slice(), v.index());
     }
 
     /// Forgets all edges of `list`.

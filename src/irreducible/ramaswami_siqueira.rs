@@ -78,6 +78,14 @@ pub(super) struct Neighbour {
     pub(super) processed: bool,
 }
 
+/// A spoke that moves from v to u if [u, v] is contracted.
+#[derive(Clone, Copy)]
+struct FarSpoke {
+    spoke: HalfEdgeId,
+    /// The other end, which u gains as a neighbour.
+    end: VertexId,
+}
+
 /// The state of the algorithm.
 pub(super) struct Run<O> {
     pub(super) k: ShrinkingTriangulation,
@@ -87,6 +95,8 @@ pub(super) struct Run<O> {
     /// ts: the number of contractions.
     now: u32,
     discipline: Discipline,
+    /// Of the edge [u, v] at hand, the spokes of v but those to u and the apexes.
+    far_spokes: Vec<FarSpoke>,
     splits: Vec<VertexSplit>,
     link_condition_tests: usize,
     pub(super) observer: O,
@@ -109,6 +119,7 @@ impl<O: Observer> Run<O> {
             centre: VertexId::NONE,
             now: 0,
             discipline,
+            far_spokes: Vec::new(),
             link_condition_tests: 0,
             observer,
             k,
@@ -126,7 +137,7 @@ impl<O: Observer> Run<O> {
     /// Algorithm 4.2.
     pub(super) fn process_all(&mut self, order: impl IntoIterator<Item = VertexId>) {
         for u in order {
-            if !self.lists[u].processed && self.k.outgoing(u).is_some() {
+            if self.k.outgoing(u).is_some() && !self.lists[u].processed {
                 self.process(u);
             }
         }
@@ -181,7 +192,8 @@ impl<O: Observer> Run<O> {
         }
         // Before the contraction, which the printed line 4 comes after.
         let [x, y] = self.k.apexes(self.lists[v].spoke);
-        self.contract(v);
+        self.far_spokes.clear();
+        self.contract_walked(v);
         let [nx, ny] = [x, y].map(|w| self.lists[w]);
         let [x_tested, y_tested] = [nx, ny].map(|n| n.tested_at != NEVER);
         // Printed with > in the first case. If no edge was contracted between the moment y became
@@ -203,8 +215,12 @@ impl<O: Observer> Run<O> {
         self.observer.tested(self, v);
         let Neighbour { spoke, known_since, .. } = self.lists[v];
         let mut cycles = 0;
+        self.far_spokes.clear();
         for g in self.k.far_spokes(spoke) {
             let z = self.k.destination(g);
+            self.far_spokes.push(FarSpoke { spoke: g, end: z });
+            // If [u, v] is contracted, [u, z] is tested soon.
+            self.k.prefetch(self.k.twin(g.next()));
             let Neighbour { centre, tested_at, .. } = self.lists[z];
             if centre == self.centre {
                 cycles += 1;
@@ -215,7 +231,7 @@ impl<O: Observer> Run<O> {
         }
         self.lists[v].critical_cycles = cycles;
         if cycles == 0 {
-            self.contract(v);
+            self.contract_walked(v);
         } else {
             self.lists.push_rear(List::Tested, v);
         }
@@ -243,15 +259,25 @@ impl<O: Observer> Run<O> {
         self.lists.front(List::Tested).filter(|&v| self.lists[v].critical_cycles == 0)
     }
 
-    /// Contracts [u, v], which must be in no list, and meets the neighbours that u gains
-    /// (Algorithms 4.5 and 4.7). O(deg v) and the degrees of processed neighbours gained.
+    /// Contracts [u, v], which must be in no list. O(deg v) and the degrees of processed neighbours
+    /// gained.
     fn contract(&mut self, v: VertexId) {
+        self.far_spokes.clear();
+        for spoke in self.k.far_spokes(self.lists[v].spoke) {
+            self.far_spokes.push(FarSpoke { spoke, end: self.k.destination(spoke) });
+        }
+        self.contract_walked(v);
+    }
+
+    /// Contracts [u, v], whose far spokes are at hand, and meets the neighbours that u gains
+    /// (Algorithms 4.5 and 4.7).
+    fn contract_walked(&mut self, v: VertexId) {
         self.now += 1;
         self.lists[v].processed = true;
         let h = self.lists[v].spoke;
         self.observer.contracting(self, h);
         let [x, y] = self.k.apexes(h);
-        let split = self.k.contract(h);
+        let split = self.k.contract_with(h, self.far_spokes.iter().map(|far| far.spoke));
         // The spoke to y was a side of a triangle that is gone; the one to x was not.
         self.lists[y].spoke = self.k.twin(self.k.twin(h).prev());
         for w in [x, y] {
@@ -262,8 +288,8 @@ impl<O: Observer> Run<O> {
                 self.lists.push_front(List::Untested, w);
             }
         }
-        for g in self.k.moved_spokes(&split) {
-            let z = self.k.destination(g);
+        for &FarSpoke { spoke: g, end: z } in &self.far_spokes {
+            self.prefetch_beyond(g);
             let neighbour = &mut self.lists[z];
             neighbour.meet(self.centre, g, self.now);
             if neighbour.processed {
@@ -273,6 +299,17 @@ impl<O: Observer> Run<O> {
             }
         }
         self.splits.push(split);
+    }
+
+    /// Has the cache fetch what a test of the end of spoke `g` of u meets beyond the triangle across
+    /// from u.
+    #[inline]
+    fn prefetch_beyond(&self, g: HalfEdgeId) {
+        let across = self.k.twin(g.next());
+        self.lists.prefetch(self.k.origin(across.prev()));
+        [across.next(), across.prev()]
+            .into_iter()
+            .for_each(|side| self.k.prefetch(self.k.twin(side)));
     }
 
     /// [u, w], put aside, is in one critical cycle less.

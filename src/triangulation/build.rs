@@ -5,7 +5,7 @@
 //! law is given up at the first sign and handed to the slower, exhaustive [`Survey`].
 
 use super::laws::is_too_large;
-use super::{HalfEdgeId, Id, IdVec, Survey, Triangulation, VertexId};
+use super::{HalfEdgeId, Id, IdVec, Side, Survey, Triangulation, VertexId};
 use crate::mesh::FaceList;
 
 impl Triangulation {
@@ -16,7 +16,7 @@ impl Triangulation {
     ///
     /// # Cost
     /// O(n) time but for the count of components, O(n log n) in the worst case and linear in practice;
-    /// no hashing. 28 bytes a triangle while it runs and 24 afterwards, the list not counted.
+    /// no hashing. 40 bytes a triangle while it runs and 24 afterwards, the list not counted.
     pub fn build(list: &FaceList) -> Result<Self, Box<Survey>> {
         try_build(list).ok_or_else(|| {
             let survey = Survey::of(list);
@@ -53,11 +53,10 @@ fn try_build(list: &FaceList) -> Option<Triangulation> {
         return None;
     }
     let stars = Stars::gather(corners, vertices);
-    let twin = find_twins(corners, &stars)?;
+    let sides = find_twins(corners, &stars)?;
     let unreferenced = (0..vertices).filter(|&v| stars.of(v).is_empty()).count();
     let components = count_components(corners, vertices, unreferenced);
-    let origin = stars.into_origins(corners);
-    Some(Triangulation { origin, twin, vertices, unreferenced, components })
+    Some(Triangulation { sides, vertices, unreferenced, components })
 }
 
 /// The half-edges that leave each vertex, gathered by a counting sort.
@@ -89,17 +88,12 @@ impl Stars {
         let start = if v == 0 { 0 } else { self.ends[v - 1] };
         &self.half_edges[start as usize..self.ends[v] as usize]
     }
-
-    /// The vertex that each half-edge leaves, in the memory of the list of half-edges.
-    fn into_origins(self, corners: &[u32]) -> IdVec<HalfEdgeId, VertexId> {
-        let slots = self.half_edges.into_iter().zip(corners);
-        slots.map(|(_, &vertex)| VertexId(vertex)).collect::<Vec<_>>().into()
-    }
 }
 
-/// The twin of every half-edge, if the triangles are those of closed, oriented surfaces.
-fn find_twins(corners: &[u32], stars: &Stars) -> Option<IdVec<HalfEdgeId, HalfEdgeId>> {
-    let mut twin = IdVec::filled(HalfEdgeId::NONE, corners.len());
+/// Every half-edge with its twin, if the triangles are those of closed, oriented surfaces.
+fn find_twins(corners: &[u32], stars: &Stars) -> Option<IdVec<HalfEdgeId, Side>> {
+    let side = |&vertex| Side { origin: VertexId(vertex), twin: HalfEdgeId::NONE };
+    let mut sides: IdVec<_, _> = corners.iter().map(side).collect::<Vec<_>>().into();
     // Entry w is the last half-edge found that leads to w. It belongs to the current star if and
     // only if it leaves the current centre, so nothing has to be cleared between stars.
     let mut leads_to = vec![HalfEdgeId::NONE; stars.ends.len() - 1];
@@ -120,23 +114,23 @@ fn find_twins(corners: &[u32], stars: &Stars) -> Option<IdVec<HalfEdgeId, HalfEd
             if outgoing == HalfEdgeId::NONE || origin(outgoing) != centre {
                 return None;
             }
-            twin[incoming] = outgoing;
+            sides[incoming].twin = outgoing;
         }
-        if !is_one_fan(star, &twin) {
+        if !is_one_fan(star, &sides) {
             return None;
         }
     }
-    Some(twin)
+    Some(sides)
 }
 
 /// Whether turning about the centre of `star` passes all its triangles, at least three.
-fn is_one_fan(star: &[HalfEdgeId], twin: &IdVec<HalfEdgeId, HalfEdgeId>) -> bool {
+fn is_one_fan(star: &[HalfEdgeId], sides: &IdVec<HalfEdgeId, Side>) -> bool {
     let Some(&first) = star.first() else { return true };
-    let mut h = twin[first.prev()];
+    let mut h = sides[first.prev()].twin;
     let mut turned = 1;
     // Where an edge is doubled the walk may never come back to `first`.
     while h != first && turned < star.len() {
-        h = twin[h.prev()];
+        h = sides[h.prev()].twin;
         turned += 1;
     }
     h == first && turned == star.len() && turned >= 3

@@ -1,4 +1,4 @@
-//! Edge contraction, its link condition, and the vertex split that undoes it
+//! Edge contraction, and the vertex split that undoes it
 //! (Ramaswami-Siqueira, section 4.5 and Algorithm 4.7; Lemos et al., section 3.3).
 //!
 //! A contraction rewrites nothing inside the two triangles that it removes: only the twins of the
@@ -7,8 +7,7 @@
 //! that a split needs. Departs from the paper, whose edge records have no counterpart here.
 
 use super::star::Spokes;
-use super::{HalfEdgeId, Id, IdVec, Places, TriangleId, Triangulation, VertexId};
-use crate::prefetch::prefetch;
+use super::{HalfEdgeId, Id, IdVec, Side, TriangleId, Triangulation, VertexId};
 
 /// A triangulation whose edges can be contracted, and the contractions undone last-in first-out.
 ///
@@ -16,8 +15,7 @@ use crate::prefetch::prefetch;
 /// nothing is renumbered in between. 24 bytes a triangle and 8 a vertex.
 #[derive(Clone, Debug)]
 pub struct ShrinkingTriangulation {
-    pub(super) origin: IdVec<HalfEdgeId, VertexId>,
-    pub(super) twin: IdVec<HalfEdgeId, HalfEdgeId>,
+    pub(super) sides: IdVec<HalfEdgeId, Side>,
     pub(super) star: IdVec<VertexId, Star>,
     vertices: usize,
     components: usize,
@@ -73,33 +71,33 @@ struct Surroundings {
 impl ShrinkingTriangulation {
     /// Takes a triangulation over, with all its ids. O(n).
     pub fn of(triangulation: Triangulation) -> Self {
-        let Triangulation { origin, twin, vertices, unreferenced, components } = triangulation;
+        let Triangulation { sides, vertices, unreferenced, components } = triangulation;
         let mut star = IdVec::filled(Star { outgoing: HalfEdgeId::NONE, degree: 0 }, vertices);
-        for (h, &v) in origin.as_slice().iter().enumerate() {
-            let star = &mut star[v];
+        for (h, side) in sides.as_slice().iter().enumerate() {
+            let star = &mut star[side.origin];
             star.outgoing = HalfEdgeId::new(h);
             star.degree += 1;
         }
         let vertices = vertices - unreferenced;
-        Self { origin, twin, star, vertices, components }
+        Self { sides, star, vertices, components }
     }
 
     /// The vertex that half-edge `h` leaves.
     #[inline]
     pub fn origin(&self, h: HalfEdgeId) -> VertexId {
-        self.origin[h]
+        self.sides[h].origin
     }
 
     /// The vertex that half-edge `h` leads to.
     #[inline]
     pub fn destination(&self, h: HalfEdgeId) -> VertexId {
-        self.origin[h.next()]
+        self.sides[h.next()].origin
     }
 
     /// The other side of the edge of `h`.
     #[inline]
     pub fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
-        self.twin[h]
+        self.sides[h].twin
     }
 
     /// Number of edges at `v`, which must not be retired.
@@ -116,7 +114,7 @@ impl ShrinkingTriangulation {
 
     /// Whether triangle `f` has not been removed by a contraction.
     pub fn is_alive(&self, f: TriangleId) -> bool {
-        f.half_edges().iter().all(|&h| self.star[self.origin[h]].outgoing != HalfEdgeId::NONE)
+        f.half_edges().iter().all(|&h| self.star[self.origin(h)].outgoing != HalfEdgeId::NONE)
     }
 
     /// The half-edges that leave `v`, clockwise. O(deg v).
@@ -125,21 +123,21 @@ impl ShrinkingTriangulation {
     /// If `v` is retired or in no triangle.
     pub fn spokes(&self, v: VertexId) -> Spokes<'_> {
         let first = self.star[v].outgoing.some().expect("only a vertex in use has spokes");
-        Spokes::round(&self.twin, first)
+        Spokes::round(&self.sides, first)
     }
 
     /// The apexes of the two triangles at the edge of `h`: first that of the triangle of `h`.
     #[inline]
     pub fn apexes(&self, h: HalfEdgeId) -> [VertexId; 2] {
-        [self.origin[h.prev()], self.origin[self.twin[h].prev()]]
+        [self.origin(h.prev()), self.origin(self.twin(h).prev())]
     }
 
     /// The spokes of the destination of `h`, clockwise, but those to the origin of `h` and to the
     /// apexes: the ones that contracting `h` moves.
     #[inline]
     pub fn far_spokes(&self, h: HalfEdgeId) -> Spokes<'_> {
-        let first = self.twin[h.next()].next();
-        Spokes::between(&self.twin, first, self.twin[self.twin[h].prev()])
+        let first = self.twin(h.next()).next();
+        Spokes::between(&self.sides, first, self.twin(self.twin(h).prev()))
     }
 
     /// Number of vertices left.
@@ -154,7 +152,7 @@ impl ShrinkingTriangulation {
 
     /// Number of half-edges of the triangulation it began as; half-edge ids are below it.
     pub fn half_edge_id_count(&self) -> usize {
-        self.origin.len()
+        self.sides.len()
     }
 
     /// Whether the component of the edge of `h` is a tetrahedron, whose edges cannot be contracted
@@ -164,24 +162,6 @@ impl ShrinkingTriangulation {
         self.star[self.origin(h)].degree == 3 && self.star[self.destination(h)].degree == 3
     }
 
-    /// Whether contracting the edge of `h` keeps the surface: no vertex but the apexes of its two
-    /// triangles is joined to both ends, and the component is not the tetrahedron (Ramaswami-Siqueira,
-    /// section 2, *link condition*). O(deg u + deg v).
-    pub fn is_contractible(&self, h: HalfEdgeId, marks: &mut LinkMarks) -> bool {
-        let (u, v) = (self.origin(h), self.destination(h));
-        if self.star[u].degree == 3 || self.star[v].degree == 3 {
-            // A vertex of degree 3 has but one neighbour besides the apexes: the other end.
-            return !self.is_in_tetrahedron(h);
-        }
-        marks.renew();
-        for spoke in self.spokes(u) {
-            marks.set(self.destination(spoke));
-        }
-        let common = self.spokes(v).filter(|&spoke| marks.has(self.destination(spoke))).count();
-        debug_assert!(common >= 2, "the apexes are joined to both ends");
-        common == 2
-    }
-
     /// Contracts the edge of `h` into the origin of `h`, retiring its destination and the two
     /// triangles at the edge. O(deg v) for the vertex v that goes.
     ///
@@ -189,13 +169,32 @@ impl ShrinkingTriangulation {
     /// In debug builds, if the edge is retired or its component is a tetrahedron. The link
     /// condition is the caller's to know: without it the result is no triangulation.
     pub fn contract(&mut self, h: HalfEdgeId) -> VertexSplit {
-        debug_assert!(self.is_alive(h.triangle()) && self.twin[self.twin[h]] == h);
-        debug_assert!(!self.is_in_tetrahedron(h));
         let e = self.surroundings(h);
-        let (u, v) = (self.origin[h], self.origin[e.hp]);
-        let (x, y) = (self.origin[e.b], self.origin[e.d]);
-        self.move_spokes(&e, u);
-        self.origin[e.td] = u;
+        self.move_spokes(&e, self.origin(h));
+        self.close(h, &e)
+    }
+
+    /// Like [`ShrinkingTriangulation::contract`], for who knows already which are the far spokes of
+    /// `h`.
+    #[inline]
+    pub(crate) fn contract_with(
+        &mut self,
+        h: HalfEdgeId,
+        far_spokes: impl Iterator<Item = HalfEdgeId>,
+    ) -> VertexSplit {
+        let centre = self.origin(h);
+        far_spokes.for_each(|spoke| self.sides[spoke].origin = centre);
+        self.close(h, &self.surroundings(h))
+    }
+
+    /// Contracts the edge of `h`, whose far spokes have been moved already.
+    #[inline]
+    fn close(&mut self, h: HalfEdgeId, e: &Surroundings) -> VertexSplit {
+        let (u, v) = (self.origin(h), self.origin(e.hp));
+        let (x, y) = (self.origin(e.b), self.origin(e.d));
+        debug_assert!(self.is_alive(h.triangle()) && self.twin(e.hp) == h);
+        debug_assert!(!self.is_in_tetrahedron(h));
+        self.sides[e.td].origin = u;
         self.join(e.ta, e.tb);
         self.join(e.tc, e.td);
         self.star[u].outgoing = e.td;
@@ -217,11 +216,11 @@ impl ShrinkingTriangulation {
     pub fn split(&mut self, receipt: VertexSplit) {
         let VertexSplit(h) = receipt;
         let e = self.surroundings(h);
-        debug_assert!(self.twin[e.ta] == e.tb && self.twin[e.tc] == e.td, "not the last receipt");
-        let (u, v) = (self.origin[h], self.origin[e.hp]);
-        let (x, y) = (self.origin[e.b], self.origin[e.d]);
+        debug_assert!(self.twin(e.ta) == e.tb && self.twin(e.tc) == e.td, "not the last receipt");
+        let (u, v) = (self.origin(h), self.origin(e.hp));
+        let (x, y) = (self.origin(e.b), self.origin(e.d));
         let moved = self.move_spokes(&e, v);
-        self.origin[e.td] = v;
+        self.sides[e.td].origin = v;
         self.join(e.ta, e.a);
         self.join(e.tb, e.b);
         self.join(e.tc, e.c);
@@ -237,36 +236,19 @@ impl ShrinkingTriangulation {
         self.vertices += 1;
     }
 
-    /// Like [`ShrinkingTriangulation::split`], where edges have been flipped since: the half-edges
-    /// round the edge, none of them on a flipped edge, are where `places` has them.
-    pub(crate) fn split_among_flips(&mut self, receipt: VertexSplit, places: &Places) {
+    /// Like [`ShrinkingTriangulation::split`], where edges have been flipped since: what was half-edge
+    /// `g` at the contraction, on no flipped edge, is half-edge `place(g)` now.
+    pub(crate) fn split_among_flips(
+        &mut self,
+        receipt: VertexSplit,
+        place: impl Fn(HalfEdgeId) -> HalfEdgeId,
+    ) {
         let VertexSplit(h) = receipt;
-        let hp = self.twin[h];
+        let hp = self.twin(h);
         for side in [h.next(), h.prev(), hp.next(), hp.prev()] {
-            self.twin[side] = places.of(self.twin[side]);
+            self.sides[side].twin = place(self.twin(side));
         }
         self.split(receipt);
-    }
-
-    /// Has the cache fetch the triangle of a receipt that will be undone after a few others.
-    #[inline]
-    pub(crate) fn prefetch(&self, receipt: &VertexSplit) {
-        self.prefetch_side(receipt.0);
-    }
-
-    /// Has the cache fetch what lies round that triangle, which should have been fetched by now.
-    #[inline]
-    pub(crate) fn prefetch_around(&self, receipt: &VertexSplit) {
-        let VertexSplit(h) = *receipt;
-        for side in [h, h.next(), h.prev()] {
-            self.prefetch_side(self.twin[side]);
-        }
-    }
-
-    #[inline]
-    fn prefetch_side(&self, h: HalfEdgeId) {
-        prefetch(self.twin.as_slice(), h.index());
-        prefetch(self.origin.as_slice(), h.index());
     }
 
     /// The spokes that the contraction of `receipt`, the last one, has moved to the end that stayed:
@@ -281,10 +263,10 @@ impl ShrinkingTriangulation {
     /// # Panics
     /// In debug builds, if a contraction has not been undone.
     pub fn into_triangulation(self) -> Triangulation {
-        let Self { origin, twin, star, vertices, components } = self;
+        let Self { sides, star, vertices, components } = self;
         debug_assert!(star.as_slice().iter().all(|v| v.outgoing.some().is_some() || v.degree == 0));
         let unreferenced = star.len() - vertices;
-        Triangulation { origin, twin, vertices: star.len(), unreferenced, components }
+        Triangulation { sides, vertices: star.len(), unreferenced, components }
     }
 
     /// The vertices that are left, in order, and the triangulation that they and the triangles that
@@ -298,17 +280,16 @@ impl ShrinkingTriangulation {
             renumbered[old] = new as u32;
         }
         let left = self.triangles_round(&survivors);
-        let mut place = IdVec::filled(0, self.origin.len() / 3);
+        let mut place = IdVec::filled(0, self.sides.len() / 3);
         for (new, &f) in left.iter().enumerate() {
             place[f] = new as u32;
         }
-        let sides = || left.iter().flat_map(|f| f.half_edges());
-        let origin = sides().map(|h| VertexId(renumbered[self.origin[h]]));
         let moved = |h: HalfEdgeId| HalfEdgeId(3 * place[h.triangle()] + h.0 % 3);
-        let twin = sides().map(|h| moved(self.twin[h]));
+        let side =
+            |h| Side { origin: VertexId(renumbered[self.origin(h)]), twin: moved(self.twin(h)) };
+        let sides: Vec<Side> = left.iter().flat_map(|f| f.half_edges()).map(side).collect();
         let triangulation = Triangulation {
-            origin: origin.collect::<Vec<_>>().into(),
-            twin: twin.collect::<Vec<_>>().into(),
+            sides: sides.into(),
             vertices: survivors.len(),
             unreferenced: 0,
             components: self.components,
@@ -329,10 +310,10 @@ impl ShrinkingTriangulation {
     /// Read from the two triangles at the edge, so that it is the same before and after.
     #[inline]
     fn surroundings(&self, h: HalfEdgeId) -> Surroundings {
-        let hp = self.twin[h];
+        let hp = self.twin(h);
         let (a, b) = (h.next(), h.prev());
         let (c, d) = (hp.next(), hp.prev());
-        let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.twin[side]);
+        let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.twin(side));
         Surroundings { hp, a, b, c, d, ta, tb, tc, td }
     }
 
@@ -342,66 +323,16 @@ impl ShrinkingTriangulation {
         let mut moved = 0;
         let mut g = e.ta.next();
         while g != e.td {
-            self.origin[g] = centre;
+            self.sides[g].origin = centre;
             moved += 1;
-            g = self.twin[g].next();
+            g = self.twin(g).next();
         }
         moved
     }
 
     #[inline]
     fn join(&mut self, g: HalfEdgeId, h: HalfEdgeId) {
-        self.twin[g] = h;
-        self.twin[h] = g;
-    }
-}
-
-/// Marks on vertices that are wiped in O(1), for [`ShrinkingTriangulation::is_contractible`].
-#[derive(Clone, Debug)]
-pub struct LinkMarks {
-    stamp: IdVec<VertexId, u32>,
-    now: u32,
-}
-
-impl LinkMarks {
-    /// Unset marks for `vertices` vertices. O(n), 4 bytes a vertex.
-    pub fn new(vertices: usize) -> Self {
-        Self { stamp: IdVec::filled(0, vertices), now: 0 }
-    }
-
-    /// Unsets all marks.
-    #[inline]
-    fn renew(&mut self) {
-        if self.now == u32::MAX {
-            *self = Self::new(self.stamp.len());
-        }
-        self.now += 1;
-    }
-
-    #[inline]
-    fn set(&mut self, v: VertexId) {
-        self.stamp[v] = self.now;
-    }
-
-    #[inline]
-    fn has(&self, v: VertexId) -> bool {
-        self.stamp[v] == self.now
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn old_marks_do_not_come_back_when_the_clock_turns_over() {
-        let mut marks = LinkMarks::new(2);
-        let [one, other] = [VertexId(0), VertexId(1)];
-        marks.renew();
-        marks.set(one);
-        marks.now = u32::MAX;
-        marks.set(other);
-        marks.renew();
-        assert_eq!((marks.has(one), marks.has(other)), (false, false));
+        self.sides[g].twin = h;
+        self.sides[h].twin = g;
     }
 }

@@ -5,12 +5,12 @@ use super::Triangulation;
 impl Triangulation {
     /// Number of triangles n_f.
     pub fn triangle_count(&self) -> usize {
-        self.origin.len() / 3
+        self.sides.len() / 3
     }
 
     /// Number of edges n_e = 3 n_f / 2.
     pub fn edge_count(&self) -> usize {
-        self.origin.len() / 2
+        self.sides.len() / 2
     }
 
     /// Number of vertices n_v that some triangle uses.

@@ -6,7 +6,8 @@
 //! marks: flips are not independent, as two flipped edges may share a triangle, so they are made one
 //! after the other.
 
-use super::{HalfEdgeId, Id, IdVec, ShrinkingTriangulation, Triangulation, VertexId};
+use super::{HalfEdgeId, Id, IdVec, ShrinkingTriangulation, Side, Triangulation};
+use crate::prefetch::prefetch;
 
 /// Where half-edges are that have made way for flipped edges. 12 bytes a triangle.
 #[derive(Clone, Debug)]
@@ -31,6 +32,12 @@ impl Places {
             at = HalfEdgeId(self.moved[at.index()] - 1);
         }
         at
+    }
+
+    /// Has the cache fetch what is known of the place of `h`.
+    #[inline]
+    pub(crate) fn prefetch(&self, h: HalfEdgeId) {
+        prefetch(&self.moved, h.index());
     }
 
     /// Follows the flip of an edge that had not been flipped before.
@@ -60,17 +67,17 @@ impl Triangulation {
     /// # Panics
     /// In debug builds, if the flip would make a loop.
     pub(crate) fn flip(&mut self, s: HalfEdgeId) -> Moves {
-        flip(&mut self.origin, &mut self.twin, s)
+        flip(&mut self.sides, s)
     }
 }
 
 impl ShrinkingTriangulation {
     /// Like [`Triangulation::flip`], for an edge that is not contracted.
     pub(crate) fn flip(&mut self, s: HalfEdgeId) -> Moves {
-        let t = self.twin[s];
-        let [a, b] = [s, t].map(|side| self.origin[side]);
+        let t = self.twin(s);
+        let [a, b] = [s, t].map(|side| self.origin(side));
         let [c, d] = self.apexes(s);
-        let moves = flip(&mut self.origin, &mut self.twin, s);
+        let moves = flip(&mut self.sides, s);
         for (end, outgoing) in [(a, s), (b, t)] {
             self.star[end].outgoing = outgoing;
             self.star[end].degree -= 1;
@@ -90,20 +97,16 @@ impl ShrinkingTriangulation {
 ///       d                  d
 /// ```
 #[inline]
-fn flip(
-    origin: &mut IdVec<HalfEdgeId, VertexId>,
-    twin: &mut IdVec<HalfEdgeId, HalfEdgeId>,
-    s: HalfEdgeId,
-) -> Moves {
-    let t = twin[s];
+fn flip(sides: &mut IdVec<HalfEdgeId, Side>, s: HalfEdgeId) -> Moves {
+    let t = sides[s].twin;
     let [s1, s2, t1, t2] = [s.next(), s.prev(), t.next(), t.prev()];
-    let [below, above] = [t1, s1].map(|side| twin[side]);
-    debug_assert_ne!(origin[s2], origin[t2], "a flip would make a loop");
-    origin[s1] = origin[t2];
-    origin[t1] = origin[s2];
+    let [below, above] = [t1, s1].map(|side| sides[side].twin);
+    debug_assert_ne!(sides[s2].origin, sides[t2].origin, "a flip would make a loop");
+    sides[s1].origin = sides[t2].origin;
+    sides[t1].origin = sides[s2].origin;
     for (one, other) in [(s, below), (t, above), (s1, t1)] {
-        twin[one] = other;
-        twin[other] = one;
+        sides[one].twin = other;
+        sides[other].twin = one;
     }
     [(t1, s), (s1, t), (s, s1), (t, t1)]
 }

@@ -1,28 +1,28 @@
 //! Walking round a vertex.
 
-use super::{HalfEdgeId, IdVec};
+use super::{HalfEdgeId, IdVec, Side};
 
 /// Half-edges that leave a vertex, clockwise.
 #[derive(Clone, Debug)]
 pub struct Spokes<'a> {
-    twin: &'a IdVec<HalfEdgeId, HalfEdgeId>,
+    sides: &'a IdVec<HalfEdgeId, Side>,
     at: Option<HalfEdgeId>,
     end: HalfEdgeId,
 }
 
 impl<'a> Spokes<'a> {
     /// All the way round, from `first`.
-    pub(super) fn round(twin: &'a IdVec<HalfEdgeId, HalfEdgeId>, first: HalfEdgeId) -> Self {
-        Self { twin, at: Some(first), end: first }
+    pub(super) fn round(sides: &'a IdVec<HalfEdgeId, Side>, first: HalfEdgeId) -> Self {
+        Self { sides, at: Some(first), end: first }
     }
 
     /// From `first` to before `end`, which leaves the same vertex; none if they are equal.
     pub(super) fn between(
-        twin: &'a IdVec<HalfEdgeId, HalfEdgeId>,
+        sides: &'a IdVec<HalfEdgeId, Side>,
         first: HalfEdgeId,
         end: HalfEdgeId,
     ) -> Self {
-        Self { twin, at: (first != end).then_some(first), end }
+        Self { sides, at: (first != end).then_some(first), end }
     }
 }
 
@@ -32,7 +32,7 @@ impl Iterator for Spokes<'_> {
     #[inline]
     fn next(&mut self) -> Option<HalfEdgeId> {
         let h = self.at?;
-        let after = self.twin[h].next();
+        let after = self.sides[h].twin.next();
         self.at = (after != self.end).then_some(after);
         Some(h)
     }

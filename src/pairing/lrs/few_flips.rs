@@ -10,19 +10,23 @@
 //! Of the edges of 41 scans and parts 0.07 to 0.9 % stay flipped, 4 to 130 times fewer than as
 //! published, in 0.9 to 2.2 times the time.
 
+use std::ops::RangeInclusive;
+
+use super::Expanded;
 use super::marks::{Mark, Marks};
 use super::search::Search;
-use super::{Expanded, next_receipt};
 use crate::irreducible::Reduction;
 use crate::triangulation::{
     HalfEdgeId, IdVec, Places, ShrinkingTriangulation, Triangulation, VertexId, VertexSplit,
 };
 
 /// How many triangles are looked round before an edge is flipped.
-const LIMIT: usize = 20;
+const LIMIT: usize = 8;
 
-/// How many triangles are looked round before a flip is left as it is.
-const LAST_LIMIT: usize = 48;
+/// How many triangles are looked round before a flip is left as it is: the fewer flips there are,
+/// the more, as all searches together may look round all triangles so many times.
+const LAST_LIMITS: RangeInclusive<usize> = 32..=400;
+const LAST_ROUNDS: usize = 2;
 
 /// Looks on while vertices come back; production looks away.
 pub(super) trait Observer: Sized {
@@ -64,7 +68,8 @@ pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> 
         search: Search::default(),
         flips: Vec::new(),
     };
-    while let Some(split) = next_receipt(&mut splits, &run.k) {
+    while let Some(split) = splits.pop() {
+        run.k.prefetch_splits(&splits);
         run.expand(split);
         observer.expanded(&run);
     }
@@ -79,7 +84,10 @@ impl Run {
         self.split_at(self.k.origin(h));
         let hp = self.k.twin(h);
         let [a, b, c, d] = [h.next(), h.prev(), hp.next(), hp.prev()];
-        self.k.split_among_flips(split, &self.places);
+        let Self { k, marks, places, .. } = self;
+        // Wherever a flipped edge has displaced another, there is a flipped edge now.
+        let is_moved = |g| marks.has(g, Mark::Flipped);
+        k.split_among_flips(split, |g| if is_moved(g) { places.of(g) } else { g });
         let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.k.twin(side));
         let matched = [tb, tc].map(|side| self.marks.has(side, Mark::Matched));
         self.marks.copy(tb, b);
@@ -137,16 +145,43 @@ impl Run {
     /// 𝒦 and the matching of its triangles, when all vertices are back, with the flips undone that can
     /// be. O(n).
     pub(super) fn finish(mut self, input: &Triangulation) -> Expanded {
-        let flips = std::mem::take(&mut self.flips);
+        let mut flips = std::mem::take(&mut self.flips);
+        let limit = LAST_ROUNDS * input.triangle_count() / flips.len().max(1);
+        let limit = limit.clamp(*LAST_LIMITS.start(), *LAST_LIMITS.end());
+        let mut lasting = 0;
         // The newest first: it may be in the way of older ones, and they are not in its way.
-        let lasting = flips.iter().rev().filter(|&&h| !self.undo(input, h)).count();
+        while let Some(h) = flips.pop() {
+            self.prefetch_undoing(input, &flips);
+            lasting += usize::from(!self.undo(input, h, limit));
+        }
         Expanded::new(self.k.into_triangulation(), &self.marks, lasting)
     }
 
-    /// Flips an edge back to edge `h` of the input, if there is one to be and the pairing can be mended.
-    fn undo(&mut self, input: &Triangulation, h: HalfEdgeId) -> bool {
-        let Some(s) = self.flip_of([h, h.next()].map(|h| input.origin(h))) else { return false };
-        if !self.marks.has(s, Mark::Matched) && !self.make_way(s) {
+    /// Has the cache fetch what undoing the last of the flips `pending` will need, in steps, as what
+    /// lies round an edge is only known when the edge is there.
+    fn prefetch_undoing(&self, input: &Triangulation, pending: &[HalfEdgeId]) {
+        /// How many flips ahead each step is done.
+        const AHEAD: [usize; 3] = [12, 8, 4];
+        let [edge, ends, spokes] =
+            AHEAD.map(|by| pending.len().checked_sub(by).map(|place| pending[place]));
+        if let Some(h) = edge {
+            input.prefetch(h);
+        }
+        for v in ends.into_iter().flat_map(|h| input.ends(h)) {
+            self.k.prefetch_star(v);
+        }
+        for spoke in
+            spokes.into_iter().flat_map(|h| input.ends(h)).filter_map(|v| self.k.outgoing(v))
+        {
+            self.k.prefetch(spoke);
+        }
+    }
+
+    /// Flips an edge back to edge `h` of the input, if there is one to be and the pairing can be mended
+    /// with `limit` triangles looked round.
+    fn undo(&mut self, input: &Triangulation, h: HalfEdgeId, limit: usize) -> bool {
+        let Some(s) = self.flip_of(input.ends(h)) else { return false };
+        if !self.marks.has(s, Mark::Matched) && !self.make_way(s, limit) {
             return false;
         }
         let moves = self.k.flip(s);
@@ -169,7 +204,7 @@ impl Run {
 
     /// Has the mates of the two triangles at `s` paired otherwise, if they would be in one triangle's way
     /// once the edge of `s` is flipped. False, and nothing has changed, if that cannot be.
-    fn make_way(&mut self, s: HalfEdgeId) -> bool {
+    fn make_way(&mut self, s: HalfEdgeId, limit: usize) -> bool {
         let t = self.k.twin(s);
         let sides = [s, t].map(|side| self.marks.matched_side(side));
         let [Some(one), Some(other)] = sides else { return true };
@@ -186,7 +221,7 @@ impl Run {
             self.marks.add(side, Mark::Inner);
         }
         let Self { k, marks, search, .. } = self;
-        let found = search.pair(mates, LAST_LIMIT, k, marks, |_| true);
+        let found = search.pair(mates, limit, k, marks, |_| true);
         for side in [s, t] {
             self.marks.remove(side, Mark::Inner);
         }

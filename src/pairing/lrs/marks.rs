@@ -1,6 +1,7 @@
 //! Marks on the edges of a triangulation that is being expanded.
 
-use crate::triangulation::{HalfEdgeId, Id, IdVec, Moves};
+use crate::prefetch::prefetch;
+use crate::triangulation::{HalfEdgeId, Id, IdVec, Moves, TriangleId};
 
 /// One thing that is known of an edge; an edge may have several marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +35,12 @@ impl Marks {
     /// Number of half-edges.
     pub(super) fn len(&self) -> usize {
         self.0.len()
+    }
+
+    /// Has the cache fetch the marks of `h`.
+    #[inline]
+    pub(super) fn prefetch(&self, h: HalfEdgeId) {
+        prefetch(self.0.as_slice(), h.index());
     }
 
     /// Whether `h` has this mark.
@@ -84,6 +91,12 @@ impl Marks {
         self.0[h] & VISITS != 0
     }
 
+    /// Whether a search has gone on beyond `h`, or come back through it in `tree`.
+    #[inline]
+    pub(super) fn is_seen(&self, h: HalfEdgeId, tree: Mark) -> bool {
+        self.0[h] & (Mark::Inner as u8 | tree as u8) != 0
+    }
+
     /// Forgets that a search has come to `h`.
     #[inline]
     pub(super) fn remove_visits(&mut self, h: HalfEdgeId) {
@@ -93,11 +106,16 @@ impl Marks {
     /// The side of the triangle of `h` whose edge is in M.
     #[inline]
     pub(super) fn matched_side(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        let [a, b, c] = h.triangle().half_edges();
+        let f = h.triangle();
+        self.matched_place(f).map(|place| HalfEdgeId::new(f.half_edges()[0].index() + place))
+    }
+
+    /// Which of the three sides of `f` has its edge in M.
+    #[inline]
+    pub(super) fn matched_place(&self, f: TriangleId) -> Option<usize> {
         // Without branches, as nobody can tell which side it is.
-        let [in_a, in_b, in_c] = [a, b, c].map(|side| self.has(side, Mark::Matched));
-        let side = HalfEdgeId::new(a.index() + usize::from(in_b) + 2 * usize::from(in_c));
-        (in_a | in_b | in_c).then_some(side)
+        let [first, second, third] = f.half_edges().map(|side| self.has(side, Mark::Matched));
+        (first | second | third).then_some(usize::from(second) + 2 * usize::from(third))
     }
 
     /// Takes the marks along to where a flip has moved half-edges.

@@ -25,9 +25,7 @@ use std::borrow::Cow;
 use super::InitialPairing;
 use crate::dual::{DualGraph, Matching};
 use crate::irreducible::{Discipline, Reduction, ramaswami_siqueira};
-use crate::triangulation::{
-    Id, ShrinkingTriangulation, TriangleId, Triangulation, VertexId, VertexSplit,
-};
+use crate::triangulation::{Id, ShrinkingTriangulation, TriangleId, Triangulation, VertexId};
 use marks::Marks;
 
 /// Where edges that are new at a vertex enter its list, see above.
@@ -67,26 +65,16 @@ struct Expanded {
     edge_flips: usize,
 }
 
-/// Takes the last receipt, and has the cache fetch what the next ones will need.
-fn next_receipt(splits: &mut Vec<VertexSplit>, k: &ShrinkingTriangulation) -> Option<VertexSplit> {
-    /// How many receipts ahead triangles are fetched, and half of it what lies round them.
-    const AHEAD: usize = 16;
-    let receipt = splits.pop()?;
-    let ahead = |by: usize| splits.len().checked_sub(by).map(|place| &splits[place]);
-    ahead(AHEAD).into_iter().for_each(|receipt| k.prefetch(receipt));
-    ahead(AHEAD / 2).into_iter().for_each(|receipt| k.prefetch_around(receipt));
-    Some(receipt)
-}
-
 impl Expanded {
     /// Pairs the triangles of 𝒦 = `k` on both sides of the edges that are marked as in M. O(n).
     fn new(k: Triangulation, marks: &Marks, edge_flips: usize) -> Self {
-        let mate = |f: TriangleId| match marks.matched_side(f.half_edges()[0]) {
-            Some(side) => k.twin(side).triangle(),
+        let dual = DualGraph::of(&k);
+        let mate = |f: TriangleId| match marks.matched_place(f) {
+            Some(place) => dual.sides(f)[place],
             None => TriangleId::NONE,
         };
         let matching = Matching::from_mates(k.triangles().map(mate).collect());
-        Self { dual: DualGraph::of(&k), matching, triangulation: k, edge_flips }
+        Self { dual, matching, triangulation: k, edge_flips }
     }
 }
 

@@ -6,10 +6,12 @@
 //! be told from the marks alone, as two flipped edges may share a triangle and then their order
 //! matters. And 𝒦 is made once, when all vertices are back.
 
+use super::Expanded;
 use super::marks::{Mark, Marks};
-use super::{Expanded, next_receipt};
 use crate::irreducible::Reduction;
-use crate::triangulation::{HalfEdgeId, Places, ShrinkingTriangulation, VertexSplit};
+use crate::triangulation::{
+    HalfEdgeId, Places, ShrinkingTriangulation, Triangulation, VertexSplit,
+};
 
 /// Looks on while vertices come back; production looks away.
 pub(super) trait Observer: Sized {
@@ -56,7 +58,8 @@ pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> 
     let Reduction { triangulation: t, mut splits, .. } = reduction;
     let marks = Marks::new(t.half_edge_id_count());
     let mut run = Run { t, marks, flips: Vec::new() };
-    while let Some(split) = next_receipt(&mut splits, &run.t) {
+    while let Some(split) = splits.pop() {
+        run.t.prefetch_splits(&splits);
         run.expand(split);
         observer.expanded(&run);
     }
@@ -170,11 +173,35 @@ impl Run {
         let Self { t, mut marks, .. } = self;
         let mut k = t.into_triangulation();
         let mut places = Places::new(marks.len());
-        for &h in &flips {
+        for (i, &h) in flips.iter().enumerate() {
+            prefetch_flips(&flips[i..], &k, &places, &marks);
             let moves = k.flip(places.of(h));
             places.follow(&moves);
             marks.follow(&moves);
         }
         Expanded::new(k, &marks, flips.len())
+    }
+}
+
+/// Has the cache fetch what the flips after the first of those `pending` will need, in steps, as
+/// what lies round an edge is only known when the edge is there.
+#[inline]
+fn prefetch_flips(pending: &[HalfEdgeId], k: &Triangulation, places: &Places, marks: &Marks) {
+    /// How many flips ahead each step is done.
+    const AHEAD: [usize; 3] = [16, 8, 4];
+    let [edge, near, far] = AHEAD.map(|by| pending.get(by).copied());
+    let fetch_edge = |h| {
+        k.prefetch(h);
+        places.prefetch(h);
+        marks.prefetch(h);
+    };
+    edge.into_iter().for_each(fetch_edge);
+    if let Some(h) = near {
+        fetch_edge(k.twin(h));
+        [h.next(), h.prev()].into_iter().for_each(|side| k.prefetch(k.twin(side)));
+    }
+    if let Some(h) = far {
+        let t = k.twin(h);
+        [t.next(), t.prev()].into_iter().for_each(|side| k.prefetch(k.twin(side)));
     }
 }

@@ -38,6 +38,10 @@ impl Search {
         marks: &mut Marks,
         allowed: impl Fn(HalfEdgeId) -> bool,
     ) -> bool {
+        if let Some(side) = side_between(ends, k, &allowed) {
+            add(k, marks, side);
+            return true;
+        }
         let path = self.find(ends, limit, k, marks, allowed);
         for outer in &self.outer[2..] {
             marks.remove_visits(outer.matched);
@@ -73,32 +77,48 @@ impl Search {
         }
         let mut at = 0;
         while at < self.outer.len().min(limit) {
-            let Outer { back, tree, .. } = self.outer[at];
-            let goal = usize::from(tree == Mark::FirstOuter);
-            let sides = [back.next(), back.prev(), back];
-            for &side in &sides[..if at < 2 { 3 } else { 2 }] {
-                let across = k.twin(side);
-                let matched = marks.matched_side(across);
-                if matched.is_some_and(|m| marks.has(m, Mark::Inner)) || !allowed(side) {
-                    continue;
-                }
-                let met = match matched {
-                    Some(matched) => self.reach(at, tree, [side, matched], k, marks),
-                    None => across.triangle() == ends[goal].triangle(),
-                };
-                if met {
-                    let is_met = |outer: &Outer| outer.back.triangle() == across.triangle();
-                    let other = self.outer.iter().position(is_met).expect("it is outer");
-                    return Some((side, [at, other]));
-                }
+            if let Some(met) = self.look_round(at, ends, k, marks, &allowed) {
+                return Some(met);
             }
             at += 1;
         }
         None
     }
 
-    /// Grows `tree` by the triangle beyond side `matched` of a neighbour that is no inner triangle, if it
-    /// is new; says whether the neighbour is an outer triangle of the other tree.
+    /// Grows a tree by what lies beyond the outer triangle `at`, unless something of the other tree
+    /// does: then gives the side to it, and what it is.
+    #[inline]
+    fn look_round(
+        &mut self,
+        at: usize,
+        ends: [HalfEdgeId; 2],
+        k: &ShrinkingTriangulation,
+        marks: &mut Marks,
+        allowed: &impl Fn(HalfEdgeId) -> bool,
+    ) -> Option<(HalfEdgeId, [usize; 2])> {
+        let Outer { back, tree, .. } = self.outer[at];
+        let goal = usize::from(tree == Mark::FirstOuter);
+        let sides = [back.next(), back.prev(), back];
+        for &side in &sides[..if at < 2 { 3 } else { 2 }] {
+            let across = k.twin(side);
+            let allowed = allowed(side);
+            let met = match marks.matched_side(across) {
+                // One branch: each of the three conditions is as good as random.
+                Some(matched) if marks.is_seen(matched, tree) | !allowed => false,
+                Some(matched) => self.reach(at, tree, [side, matched], k, marks),
+                None => allowed && across.triangle() == ends[goal].triangle(),
+            };
+            if met {
+                let is_met = |outer: &Outer| outer.back.triangle() == across.triangle();
+                let other = self.outer.iter().position(is_met).expect("it is outer");
+                return Some((side, [at, other]));
+            }
+        }
+        None
+    }
+
+    /// Grows `tree` by the triangle beyond side `matched` of a neighbour that it has not seen, unless that
+    /// is an outer triangle of the other tree; says whether it is.
     #[inline]
     fn reach(
         &mut self,
@@ -109,7 +129,7 @@ impl Search {
         marks: &mut Marks,
     ) -> bool {
         if marks.is_visited(matched) {
-            return !marks.has(matched, tree);
+            return true;
         }
         let back = k.twin(matched);
         marks.add(matched, Mark::Inner);
@@ -117,6 +137,24 @@ impl Search {
         self.outer.push(Outer { back, matched, side, before: before as u32, tree });
         false
     }
+}
+
+/// The side of the triangle of `one` that leads to that of `other`, if one does that is `allowed`:
+/// two searches of three are over with it.
+#[inline]
+fn side_between(
+    [one, other]: [HalfEdgeId; 2],
+    k: &ShrinkingTriangulation,
+    allowed: &impl Fn(HalfEdgeId) -> bool,
+) -> Option<HalfEdgeId> {
+    let goal = other.triangle();
+    let mut found = HalfEdgeId::NONE;
+    // Without branches, as nobody can tell which side it is.
+    for side in [one, one.prev(), one.next()] {
+        let leads_there = (k.twin(side).triangle() == goal) & allowed(side);
+        found = if leads_there { side } else { found };
+    }
+    found.some()
 }
 
 fn add(k: &ShrinkingTriangulation, marks: &mut Marks, side: HalfEdgeId) {
