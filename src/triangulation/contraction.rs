@@ -236,17 +236,19 @@ impl ShrinkingTriangulation {
         self.vertices += 1;
     }
 
-    /// Like [`ShrinkingTriangulation::split`], where edges have been flipped since: what was half-edge
-    /// `g` at the contraction, on no flipped edge, is half-edge `place(g)` now.
+    /// Like [`ShrinkingTriangulation::split`], where edges have been flipped since: `moved` says
+    /// where what was half-edge `g` at the contraction, on no flipped edge, is now if it has moved.
     pub(crate) fn split_among_flips(
         &mut self,
         receipt: VertexSplit,
-        place: impl Fn(HalfEdgeId) -> HalfEdgeId,
+        moved: impl Fn(HalfEdgeId) -> Option<HalfEdgeId>,
     ) {
         let VertexSplit(h) = receipt;
         let hp = self.twin(h);
         for side in [h.next(), h.prev(), hp.next(), hp.prev()] {
-            self.sides[side].twin = place(self.twin(side));
+            if let Some(place) = moved(self.twin(side)) {
+                self.sides[side].twin = place;
+            }
         }
         self.split(receipt);
     }
