@@ -45,6 +45,8 @@ pub mod quadrangulation;
 pub mod random;
 #[cfg(feature = "report")]
 pub mod report;
+#[cfg(test)]
+mod samples;
 pub mod simplify;
 pub mod triangulation;
 

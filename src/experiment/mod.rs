@@ -7,6 +7,7 @@ pub mod data;
 pub mod estimate;
 pub mod job;
 pub mod journal;
+mod judge;
 pub mod machine;
 pub mod merge;
 pub mod plan;

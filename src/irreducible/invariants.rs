@@ -5,14 +5,12 @@ use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use triquad_generators::Surface;
-use triquad_generators::classic::{seven_vertex_torus, tetrahedron};
-use triquad_generators::random::{Mix, random_surface};
-use triquad_generators::sculptor::{Operation, Sculptor};
 
 use super::edge_lists::List;
 use super::ramaswami_siqueira::{Discipline, NEVER, Observer, Run};
 use crate::mesh::FaceList;
 use crate::random::Random;
+use crate::samples::{sculpted, surfaces, triangulation};
 use crate::triangulation::{
     HalfEdgeId, Id, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
 };
@@ -179,8 +177,7 @@ impl Checker {
 
 /// Makes `surface` irreducible under observation; returns how many vertices are left.
 fn observe(surface: &Surface, discipline: Discipline, seed: u64) -> usize {
-    let list = FaceList::from_triangles(surface.positions.clone(), surface.triangles.clone());
-    let triangulation = Triangulation::build(&list).unwrap();
+    let triangulation = triangulation(surface);
     let checker = Checker {
         discipline,
         euler_characteristic: triangulation.euler_characteristic(),
@@ -203,28 +200,16 @@ fn observe(surface: &Surface, discipline: Discipline, seed: u64) -> usize {
     reduction.triangulation.vertex_count()
 }
 
-/// Connected sums of tori, edited at random: the smaller, the more often something happens.
-fn surfaces(each: u64) -> impl Iterator<Item = Surface> {
-    let kinds = [0, 1, 2, 3, 5].into_iter().flat_map(|genus| Mix::ALL.map(|mix| (genus, mix)));
-    kinds.flat_map(move |(genus, mix)| {
-        (0..each).map(move |seed| {
-            let mut random = Random::stream(seed, &["observed"]);
-            let operations = (seed * 7 % 41) as usize;
-            random_surface(genus, operations, mix, &mut |bound| random.below(bound))
-        })
-    })
-}
-
 #[test]
 fn every_step_is_what_the_propositions_say() {
-    for (seed, surface) in surfaces(40).enumerate() {
+    for (seed, surface) in surfaces(40, 41).enumerate() {
         observe(&surface, Discipline::FirstInFirstOut, seed as u64 % 3);
     }
 }
 
 #[test]
 fn counters_are_right_when_the_last_edge_goes_first() {
-    for (seed, surface) in surfaces(20).enumerate() {
+    for (seed, surface) in surfaces(20, 41).enumerate() {
         observe(&surface, Discipline::LastInFirstOut, seed as u64 % 3);
     }
 }
@@ -287,21 +272,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
-    fn sculpted_surfaces_go_by_the_propositions(
-        genus in 0..4usize,
-        edits in prop::collection::vec((0..3u8, any::<u32>()), 0..30),
-        seed in 0..3u64,
-    ) {
-        let torus = seven_vertex_torus();
-        let mut sculptor = Sculptor::from(&if genus == 0 { tetrahedron() } else { torus.clone() });
-        (1..genus).for_each(|_| sculptor.join(&torus, 0));
-        for (kind, place) in edits {
-            sculptor.apply(match kind {
-                0 => Operation::SplitFace(place),
-                1 => Operation::SplitEdge(place),
-                _ => Operation::Flip(place),
-            });
-        }
-        observe(&sculptor.into_surface(), Discipline::FirstInFirstOut, seed);
+    fn sculpted_surfaces_go_by_the_propositions(surface in sculpted(), seed in 0..3u64) {
+        observe(&surface, Discipline::FirstInFirstOut, seed);
     }
 }

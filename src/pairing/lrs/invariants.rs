@@ -6,8 +6,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use proptest::prelude::*;
 use triquad_generators::Surface;
 use triquad_generators::classic::{octahedron, seven_vertex_torus, tetrahedron};
-use triquad_generators::random::{Mix, random_surface};
-use triquad_generators::sculptor::{Operation, Sculptor};
 
 use super::marks::{Mark, Marks};
 use super::printed::{self, expand_all};
@@ -15,7 +13,7 @@ use super::{DISCIPLINE, Expanded, contract, few_flips};
 use crate::dual::DualGraph;
 use crate::irreducible::Discipline;
 use crate::mesh::FaceList;
-use crate::random::Random;
+use crate::samples::{sculpted, surfaces, triangulation};
 use crate::triangulation::{HalfEdgeId, Id, ShrinkingTriangulation, TriangleId, Triangulation};
 
 /// Triangles with named sides: for each side the vertex it leaves and the half-edge it is.
@@ -100,11 +98,6 @@ impl Checker {
     }
 }
 
-fn triangulation(surface: &Surface) -> Triangulation {
-    let list = FaceList::from_triangles(surface.positions.clone(), surface.triangles.clone());
-    Triangulation::build(&list).unwrap()
-}
-
 /// Directed edges with the triangle of each.
 fn edges(t: &Triangulation) -> BTreeMap<[u32; 2], TriangleId> {
     let sides = t.triangles().flat_map(|f| f.half_edges());
@@ -149,22 +142,10 @@ fn check_outcome(expanded: Expanded, input: &Triangulation, unpaired: usize) -> 
     edge_flips
 }
 
-/// Connected sums of tori, edited at random.
-fn surfaces(each: u64) -> impl Iterator<Item = Surface> {
-    let kinds = [0, 1, 2, 3, 5].into_iter().flat_map(|genus| Mix::ALL.map(|mix| (genus, mix)));
-    kinds.flat_map(move |(genus, mix)| {
-        (0..each).map(move |seed| {
-            let mut random = Random::stream(seed, &["expanded"]);
-            let operations = (seed * 7 % 61) as usize;
-            random_surface(genus, operations, mix, &mut |bound| random.below(bound))
-        })
-    })
-}
-
 #[test]
 fn every_expansion_keeps_the_claim() {
     let mut flips = [0; 2];
-    for surface in surfaces(60) {
+    for surface in surfaces(60, 61) {
         let of_surface = observe(&surface, DISCIPLINE);
         flips.iter_mut().zip(of_surface).for_each(|(sum, flips)| *sum += flips);
     }
@@ -174,7 +155,7 @@ fn every_expansion_keeps_the_claim() {
 
 #[test]
 fn any_order_of_contraction_can_be_expanded() {
-    for surface in surfaces(20) {
+    for surface in surfaces(20, 61) {
         observe(&surface, Discipline::FirstInFirstOut);
     }
 }
@@ -216,20 +197,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn sculpted_surfaces_keep_the_claim(
-        genus in 0..4usize,
-        edits in prop::collection::vec((0..3u8, any::<u32>()), 0..30),
-    ) {
-        let torus = seven_vertex_torus();
-        let mut sculptor = Sculptor::from(&if genus == 0 { tetrahedron() } else { torus.clone() });
-        (1..genus).for_each(|_| sculptor.join(&torus, 0));
-        for (kind, place) in edits {
-            sculptor.apply(match kind {
-                0 => Operation::SplitFace(place),
-                1 => Operation::SplitEdge(place),
-                _ => Operation::Flip(place),
-            });
-        }
-        observe(&sculptor.into_surface(), DISCIPLINE);
+    fn sculpted_surfaces_keep_the_claim(surface in sculpted()) {
+        observe(&surface, DISCIPLINE);
     }
 }
