@@ -8,7 +8,7 @@
 //! makes up for it: more vertices have come back since, and there are more ways.
 //!
 //! Of the edges of 41 scans and parts 0.08 to 1.2 % stay flipped, 3 to 130 times fewer than as
-//! published, in about 1.4 times the time.
+//! published, in 1.2 to 1.5 times the time.
 
 use std::ops::RangeInclusive;
 
