@@ -22,12 +22,14 @@ const DRAWN: [(&str, Algorithm); 6] = [
     ("tq", Algorithm::Triquad),
 ];
 
-/// Draws into `pictures` in `out` unless these pictures are there already.
+/// Draws into `pictures` in `out`, which takes seconds and is told to `say`, unless these pictures are
+/// there already.
 pub fn draw(
     out: &Path,
     mesh: &PlannedMesh,
     cache: Option<&Path>,
     program_hash: &str,
+    say: impl FnOnce(&str),
 ) -> Result<(), Failure> {
     let folder = out.join("pictures");
     let list = read_or_make(mesh, cache)?;
@@ -37,6 +39,7 @@ pub fn draw(
     if known.len() == 2 * DRAWN.len() + 2 && known.iter().all(is_there) {
         return Ok(());
     }
+    say(&format!("drawing the pictures of {}", mesh.name));
     let failure = |problem: String| Failure::bad(format!("{}: {problem}", folder.display()));
     std::fs::create_dir_all(&folder).map_err(|error| failure(error.to_string()))?;
     let about = Shown { key, ..Shown::default() };

@@ -72,7 +72,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let view = View::new(out);
     let clock = SystemClock::default();
     for mesh in &plan.pictured {
-        pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash)?;
+        let say = |line: &str| view.say(line);
+        pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, say)?;
     }
     runner.execute(&plan, &mut journal, &clock, &view).map_err(failure)?;
     view.finish(&journal)

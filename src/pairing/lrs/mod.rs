@@ -38,7 +38,8 @@ pub enum Expansion {
     /// `printed`: as published, Algorithms 3.1 to 3.4.
     #[default]
     Printed,
-    /// `few-flips`: ours. Undoes flips where a little re-pairing makes up for it.
+    /// `few-flips`: ours. Flips only where no short alternating path is found, and undoes flips where
+    /// there is one in the end.
     FewFlips,
 }
 
