@@ -6,7 +6,9 @@
 //! other. The removed triangles thus remember their own surroundings, and one half-edge is all
 //! that a split needs. Departs from the paper, whose edge records have no counterpart here.
 
+use super::expansion::ExpandingTriangulation;
 use super::star::Spokes;
+use super::surroundings::{Surroundings, join};
 use super::{HalfEdgeId, Id, IdVec, Side, TriangleId, Triangulation, VertexId};
 
 /// A triangulation whose edges can be contracted, and the contractions undone last-in first-out.
@@ -34,38 +36,13 @@ pub(super) struct Star {
 #[must_use = "without its receipt a contraction is permanent"]
 #[derive(Debug)]
 #[repr(transparent)]
-pub struct VertexSplit(HalfEdgeId);
+pub struct VertexSplit(pub(super) HalfEdgeId);
 
 impl VertexSplit {
     /// The half-edge that was contracted, from the end that stayed to the end that went.
     pub fn half_edge(&self) -> HalfEdgeId {
         self.0
     }
-}
-
-/// The half-edges round edge `h` from u to v, named once for contraction and split.
-///
-/// ```text
-///            x                 triangle (h, a, b):  u -> v -> x
-///          ↗ | ↖               triangle (hp, c, d): v -> u -> y
-///     tb / b   a \ ta          ta, tb, tc, td are the twins of a, b, c, d:
-///      /  ---h-->  \           ta: x -> v,  tb: u -> x,  tc: y -> u,  td: v -> y
-///     u  <--hp---   v
-///      \           /
-///     tc \ c   d / td
-///          ↘ | ↙
-///            y
-/// ```
-struct Surroundings {
-    hp: HalfEdgeId,
-    a: HalfEdgeId,
-    b: HalfEdgeId,
-    c: HalfEdgeId,
-    d: HalfEdgeId,
-    ta: HalfEdgeId,
-    tb: HalfEdgeId,
-    tc: HalfEdgeId,
-    td: HalfEdgeId,
 }
 
 impl ShrinkingTriangulation {
@@ -169,8 +146,9 @@ impl ShrinkingTriangulation {
     /// In debug builds, if the edge is retired or its component is a tetrahedron. The link
     /// condition is the caller's to know: without it the result is no triangulation.
     pub fn contract(&mut self, h: HalfEdgeId) -> VertexSplit {
-        let e = self.surroundings(h);
-        self.move_spokes(&e, self.origin(h));
+        let e = Surroundings::of(&self.sides, h);
+        let centre = self.origin(h);
+        e.move_spokes(&mut self.sides, centre);
         self.close(h, &e)
     }
 
@@ -184,7 +162,7 @@ impl ShrinkingTriangulation {
     ) -> VertexSplit {
         let centre = self.origin(h);
         far_spokes.for_each(|spoke| self.sides[spoke].origin = centre);
-        self.close(h, &self.surroundings(h))
+        self.close(h, &Surroundings::of(&self.sides, h))
     }
 
     /// Contracts the edge of `h`, whose far spokes have been moved already.
@@ -195,8 +173,8 @@ impl ShrinkingTriangulation {
         debug_assert!(self.is_alive(h.triangle()) && self.twin(e.hp) == h);
         debug_assert!(!self.is_in_tetrahedron(h));
         self.sides[e.td].origin = u;
-        self.join(e.ta, e.tb);
-        self.join(e.tc, e.td);
+        join(&mut self.sides, e.ta, e.tb);
+        join(&mut self.sides, e.tc, e.td);
         self.star[u].outgoing = e.td;
         self.star[v].outgoing = HalfEdgeId::NONE;
         self.star[x].outgoing = e.ta;
@@ -215,24 +193,18 @@ impl ShrinkingTriangulation {
     /// In debug builds, if a later contraction has not been undone yet and shows.
     pub fn split(&mut self, receipt: VertexSplit) {
         let VertexSplit(h) = receipt;
-        let e = self.surroundings(h);
-        debug_assert!(self.twin(e.ta) == e.tb && self.twin(e.tc) == e.td, "not the last receipt");
+        let e = Surroundings::of(&self.sides, h);
+        let degree = e.split(&mut self.sides);
         let (u, v) = (self.origin(h), self.origin(e.hp));
         let (x, y) = (self.origin(e.b), self.origin(e.d));
-        let moved = self.move_spokes(&e, v);
-        self.sides[e.td].origin = v;
-        self.join(e.ta, e.a);
-        self.join(e.tb, e.b);
-        self.join(e.tc, e.c);
-        self.join(e.td, e.d);
         self.star[u].outgoing = h;
         self.star[v].outgoing = e.hp;
         self.star[x].outgoing = e.b;
         self.star[y].outgoing = e.d;
         self.star[x].degree += 1;
         self.star[y].degree += 1;
-        self.star[v].degree = moved + 3;
-        self.star[u].degree = self.star[u].degree + 4 - self.star[v].degree;
+        self.star[v].degree = degree;
+        self.star[u].degree = self.star[u].degree + 4 - degree;
         self.vertices += 1;
     }
 
@@ -260,15 +232,18 @@ impl ShrinkingTriangulation {
         self.far_spokes(receipt.0)
     }
 
-    /// The triangulation that it began as, when every contraction has been undone. O(n).
+    /// The same, to be expanded without asking anything of vertices. O(1).
+    pub(crate) fn into_expanding(self) -> ExpandingTriangulation {
+        let Self { sides, star, vertices, components } = self;
+        ExpandingTriangulation { sides, vertex_ids: star.len(), vertices, components }
+    }
+
+    /// The triangulation that it began as, when every contraction has been undone. O(1).
     ///
     /// # Panics
     /// In debug builds, if a contraction has not been undone.
     pub fn into_triangulation(self) -> Triangulation {
-        let Self { sides, star, vertices, components } = self;
-        debug_assert!(star.as_slice().iter().all(|v| v.outgoing.some().is_some() || v.degree == 0));
-        let unreferenced = star.len() - vertices;
-        Triangulation { sides, vertices: star.len(), unreferenced, components }
+        self.into_expanding().into_triangulation()
     }
 
     /// The vertices that are left, in order, and the triangulation that they and the triangles that
@@ -307,34 +282,5 @@ impl ShrinkingTriangulation {
         let mut triangles: Vec<TriangleId> = first_sides.map(HalfEdgeId::triangle).collect();
         triangles.sort_unstable();
         triangles
-    }
-
-    /// Read from the two triangles at the edge, so that it is the same before and after.
-    #[inline]
-    fn surroundings(&self, h: HalfEdgeId) -> Surroundings {
-        let hp = self.twin(h);
-        let (a, b) = (h.next(), h.prev());
-        let (c, d) = (hp.next(), hp.prev());
-        let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.twin(side));
-        Surroundings { hp, a, b, c, d, ta, tb, tc, td }
-    }
-
-    /// Hangs the spokes of v, but those to u, x and y, on `centre`; says how many there are.
-    #[inline]
-    fn move_spokes(&mut self, e: &Surroundings, centre: VertexId) -> u32 {
-        let mut moved = 0;
-        let mut g = e.ta.next();
-        while g != e.td {
-            self.sides[g].origin = centre;
-            moved += 1;
-            g = self.twin(g).next();
-        }
-        moved
-    }
-
-    #[inline]
-    fn join(&mut self, g: HalfEdgeId, h: HalfEdgeId) {
-        self.sides[g].twin = h;
-        self.sides[h].twin = g;
     }
 }

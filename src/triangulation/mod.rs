@@ -8,17 +8,20 @@ mod ahead;
 mod build;
 mod contraction;
 mod euler;
+mod expansion;
 mod flip;
 mod ids;
 mod laws;
 mod link;
 mod star;
+mod surroundings;
 mod survey;
 
 use crate::mesh::Faces;
 use crate::prefetch::prefetch;
 
 pub use contraction::{ShrinkingTriangulation, VertexSplit};
+pub(crate) use expansion::ExpandingTriangulation;
 pub(crate) use flip::{Moves, Places};
 pub use ids::{HalfEdgeId, Id, IdVec, TriangleId, VertexId};
 pub use laws::{Element, Law, Violation};

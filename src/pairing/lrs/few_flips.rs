@@ -30,8 +30,8 @@ const LAST_ROUNDS: usize = 2;
 
 /// Looks on while vertices come back; production looks away.
 pub(super) trait Observer: Sized {
-    /// A vertex has been expanded and its triangles have been paired.
-    fn expanded(&mut self, _run: &Run) {}
+    /// A vertex has been expanded and its triangles have been paired; others are `pending`.
+    fn expanded(&mut self, _run: &Run, _pending: &[VertexSplit]) {}
 }
 
 impl Observer for () {}
@@ -68,7 +68,7 @@ pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> 
     while let Some(split) = splits.pop() {
         run.k.prefetch_splits(&splits);
         run.expand(split);
-        observer.expanded(&run);
+        observer.expanded(&run, &splits);
     }
     run
 }

@@ -14,18 +14,49 @@ use crate::dual::DualGraph;
 use crate::irreducible::Discipline;
 use crate::mesh::FaceList;
 use crate::samples::{sculpted, surfaces, triangulation};
-use crate::triangulation::{HalfEdgeId, Id, ShrinkingTriangulation, TriangleId, Triangulation};
+use crate::triangulation::{
+    ExpandingTriangulation, HalfEdgeId, Id, ShrinkingTriangulation, TriangleId, Triangulation,
+    VertexId, VertexSplit,
+};
+
+/// What both expansions work on.
+trait Links {
+    fn origin(&self, h: HalfEdgeId) -> VertexId;
+    fn twin(&self, h: HalfEdgeId) -> HalfEdgeId;
+    fn half_edge_id_count(&self) -> usize;
+}
+
+macro_rules! links {
+    ($($type:ty),*) => {$(
+        impl Links for $type {
+            fn origin(&self, h: HalfEdgeId) -> VertexId {
+                self.origin(h)
+            }
+            fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
+                self.twin(h)
+            }
+            fn half_edge_id_count(&self) -> usize {
+                self.half_edge_id_count()
+            }
+        }
+    )*};
+}
+
+links!(ExpandingTriangulation, ShrinkingTriangulation);
 
 /// Triangles with named sides: for each side the vertex it leaves and the half-edge it is.
 #[derive(Clone)]
 struct Sides(Vec<[(u32, HalfEdgeId); 3]>);
 
 impl Sides {
-    /// The triangles of `t` that are not contracted.
-    fn of(t: &ShrinkingTriangulation) -> Self {
+    /// The triangles that are there while some splits are `pending`.
+    fn of(t: &impl Links, pending: &[VertexSplit]) -> Self {
+        let edges = pending.iter().map(VertexSplit::half_edge);
+        let removed: BTreeSet<_> =
+            edges.flat_map(|h| [h, t.twin(h)]).map(HalfEdgeId::triangle).collect();
         let all = (0..t.half_edge_id_count() / 3).map(TriangleId::new);
         let sides = |f: TriangleId| f.half_edges().map(|h| (t.origin(h).index() as u32, h));
-        Self(all.filter(|&f| t.is_alive(f)).map(sides).collect())
+        Self(all.filter(|f| !removed.contains(f)).map(sides).collect())
     }
 
     /// The triangle that has side `h`, turned so that it comes first.
@@ -55,37 +86,38 @@ impl Sides {
     }
 }
 
-/// Checks Claim 3.1 and Proposition 3.3 after every expansion.
-struct Checker {
-    euler_characteristic: i64,
+/// Checks Claim 3.1 and Proposition 3.3 after every expansion of what `input` has been contracted to.
+struct Checker<'a> {
+    input: &'a Triangulation,
     expansions: usize,
 }
 
-impl printed::Observer for Checker {
-    fn expanded(&mut self, run: &printed::Run) {
-        let mut sides = Sides::of(&run.t);
+impl printed::Observer for Checker<'_> {
+    fn expanded(&mut self, run: &printed::Run, pending: &[VertexSplit]) {
+        let mut sides = Sides::of(&run.t, pending);
         for h in run.lasting_flips() {
             sides.flip(h, run.t.twin(h));
         }
-        self.check(&sides, &run.t, &run.marks);
+        self.check(&sides, &run.t, &run.marks, pending);
     }
 }
 
-impl few_flips::Observer for Checker {
-    fn expanded(&mut self, run: &few_flips::Run) {
-        self.check(&Sides::of(&run.k), &run.k, &run.marks);
+impl few_flips::Observer for Checker<'_> {
+    fn expanded(&mut self, run: &few_flips::Run, pending: &[VertexSplit]) {
+        assert_eq!(run.k.vertex_count(), self.input.vertex_count() - pending.len());
+        self.check(&Sides::of(&run.k, pending), &run.k, &run.marks, pending);
     }
 }
 
-impl Checker {
-    /// 𝒦, which has these `sides`, is a triangulation of the surface with the vertices of `t`; the
-    /// marks of both sides of an edge of `t` agree; M joins neighbours in 𝒦, no triangle twice, and two
-    /// triangles for every expansion.
-    fn check(&mut self, sides: &Sides, t: &ShrinkingTriangulation, marks: &Marks) {
+impl Checker<'_> {
+    /// 𝒦, which has these `sides`, is a triangulation of the surface with the vertices of `t`, all but
+    /// the `pending` ones; the marks of both sides of an edge of `t` agree; M joins neighbours in 𝒦, no
+    /// triangle twice, and two triangles for every expansion.
+    fn check(&mut self, sides: &Sides, t: &impl Links, marks: &Marks, pending: &[VertexSplit]) {
         self.expansions += 1;
-        let k = sides.build(t.vertex_id_count());
-        assert_eq!(k.euler_characteristic(), self.euler_characteristic);
-        assert_eq!(k.vertex_count(), t.vertex_count());
+        let k = sides.build(self.input.vertex_id_count());
+        assert_eq!(k.euler_characteristic(), self.input.euler_characteristic());
+        assert_eq!(k.vertex_count(), self.input.vertex_count() - pending.len());
         let mut joined = BTreeSet::new();
         for &(_, h) in sides.0.iter().flatten() {
             assert!(marks.agree(h, t.twin(h)));
@@ -111,11 +143,10 @@ fn observe(surface: &Surface, discipline: Discipline) -> [usize; 2] {
     let reductions = [(); 2].map(|()| contract(&input, discipline));
     let left = reductions[0].triangulation.vertex_count() as i64;
     let unpaired = (2 * left - 2 * input.euler_characteristic()) as usize;
-    let mut checkers = [(); 2]
-        .map(|()| Checker { euler_characteristic: input.euler_characteristic(), expansions: 0 });
+    let mut checkers = [(); 2].map(|()| Checker { input: &input, expansions: 0 });
     let [one, other] = reductions;
     let run = expand_all(one, &mut checkers[0]);
-    let mut sides = Sides::of(&run.t);
+    let mut sides = Sides::of(&run.t, &[]);
     run.lasting_flips().for_each(|h| sides.flip(h, run.t.twin(h)));
     let replayed = sides.build(input.vertex_id_count());
     let as_printed = run.finish();
@@ -186,7 +217,7 @@ fn flips_are_made_in_the_order_of_time() {
     let run = expand_all(contract(&input, Discipline::FirstInFirstOut), &mut ());
     let flips: Vec<_> = run.lasting_flips().collect();
     let made = |flips: &mut dyn Iterator<Item = &HalfEdgeId>| {
-        let mut sides = Sides::of(&run.t);
+        let mut sides = Sides::of(&run.t, &[]);
         flips.for_each(|&h| sides.flip(h, run.t.twin(h)));
         edges(&sides.build(8)).into_keys().collect::<BTreeSet<_>>()
     };

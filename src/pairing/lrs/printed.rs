@@ -10,13 +10,13 @@ use super::Expanded;
 use super::marks::{Mark, Marks};
 use crate::irreducible::Reduction;
 use crate::triangulation::{
-    HalfEdgeId, Places, ShrinkingTriangulation, Triangulation, VertexSplit,
+    ExpandingTriangulation, HalfEdgeId, Places, Triangulation, VertexSplit,
 };
 
 /// Looks on while vertices come back; production looks away.
 pub(super) trait Observer: Sized {
-    /// A vertex has been expanded and its triangles have been paired.
-    fn expanded(&mut self, _run: &Run) {}
+    /// A vertex has been expanded and its triangles have been paired; others are `pending`.
+    fn expanded(&mut self, _run: &Run, _pending: &[VertexSplit]) {}
 }
 
 impl Observer for () {}
@@ -24,7 +24,7 @@ impl Observer for () {}
 /// The state of the expansion.
 pub(super) struct Run {
     /// 𝒯, as far as it has been expanded.
-    pub(super) t: ShrinkingTriangulation,
+    pub(super) t: ExpandingTriangulation,
     pub(super) marks: Marks,
     /// The edges flipped, each by one half-edge, in the order of time; those whose marks say
     /// otherwise have been flipped back.
@@ -32,7 +32,7 @@ pub(super) struct Run {
 }
 
 /// The half-edges round a vertex v that has come back to its vertex u, with the names of
-/// [`ShrinkingTriangulation`].
+/// [`ShrinkingTriangulation`](crate::triangulation::ShrinkingTriangulation).
 ///
 /// ```text
 ///            x              triangle (h, a, b):  u -> v -> x
@@ -49,19 +49,22 @@ struct Split {
     d: HalfEdgeId,
     ta: HalfEdgeId,
     td: HalfEdgeId,
+    /// Number of edges at v.
+    degree: u32,
     /// Whether [u, x] is in M, and [u, y].
     matched: [bool; 2],
 }
 
 /// Expands all vertices, the last contracted first (Algorithm 3.1). O(n).
 pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
-    let Reduction { triangulation: t, mut splits, .. } = reduction;
+    let Reduction { triangulation, mut splits, .. } = reduction;
+    let t = triangulation.into_expanding();
     let marks = Marks::new(t.half_edge_id_count());
     let mut run = Run { t, marks, flips: Vec::new() };
     while let Some(split) = splits.pop() {
         run.t.prefetch_splits(&splits);
         run.expand(split);
-        observer.expanded(&run);
+        observer.expanded(&run, &splits);
     }
     run
 }
@@ -70,13 +73,11 @@ impl Run {
     /// Expands one vertex and pairs its triangles (Algorithm 3.1, lines 4 to 19).
     fn expand(&mut self, split: VertexSplit) {
         let e = self.split(split);
-        let v = self.t.destination(e.h);
-        let degree = self.t.degree(v);
         if e.matched == [false; 2] {
             self.match_edge(e.h);
-        } else if degree == 3 {
+        } else if e.degree == 3 {
             self.match_degree_three(&e);
-        } else if degree == 4 && !self.is_opposite_flipped(&e) {
+        } else if e.degree == 4 && !self.is_opposite_flipped(&e) {
             self.match_degree_four(&e);
         } else {
             self.match_greater_degree(&e);
@@ -95,13 +96,13 @@ impl Run {
             "they are in 𝒦"
         );
         let matched = [tb, tc].map(|side| marks.has(side, Mark::Matched));
-        self.t.split(split);
+        let degree = self.t.split(split);
         marks.copy(tb, b);
         marks.copy(tc, c);
         marks.clear(ta);
         marks.clear(td);
         debug_assert!([h, hp, a, d].iter().all(|&side| marks.is_plain(side)));
-        Split { h, a, d, ta, td, matched }
+        Split { h, a, d, ta, td, degree, matched }
     }
 
     /// Algorithm 3.2. The paper has [x, y] flipped back whenever it is flipped; it is if and only if

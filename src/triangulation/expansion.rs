@@ -1,0 +1,103 @@
+//! Vertex splits, where nothing is asked of vertices.
+
+use super::surroundings::Surroundings;
+use super::{HalfEdgeId, IdVec, Side, Triangulation, VertexId, VertexSplit};
+
+/// A triangulation whose contractions are being undone: half-edges alone, so that a split touches
+/// nothing else. 24 bytes a triangle.
+#[derive(Debug)]
+pub(crate) struct ExpandingTriangulation {
+    pub(super) sides: IdVec<HalfEdgeId, Side>,
+    pub(super) vertex_ids: usize,
+    pub(super) vertices: usize,
+    pub(super) components: usize,
+}
+
+impl ExpandingTriangulation {
+    /// The vertex that half-edge `h` leaves.
+    #[cfg(test)]
+    pub(crate) fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.sides[h].origin
+    }
+
+    /// The other side of the edge of `h`.
+    #[inline]
+    pub(crate) fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
+        self.sides[h].twin
+    }
+
+    /// Number of half-edges when every contraction has been undone; ids are below it.
+    pub(crate) fn half_edge_id_count(&self) -> usize {
+        self.sides.len()
+    }
+
+    /// Like [`ShrinkingTriangulation::split`](super::ShrinkingTriangulation::split); says what degree
+    /// the vertex has that has come back. O(that degree).
+    #[inline]
+    pub(crate) fn split(&mut self, receipt: VertexSplit) -> u32 {
+        let VertexSplit(h) = receipt;
+        self.vertices += 1;
+        Surroundings::of(&self.sides, h).split(&mut self.sides)
+    }
+
+    /// The triangulation that it began as, when every contraction has been undone. O(1).
+    ///
+    /// # Panics
+    /// In debug builds, if a contraction has not been undone.
+    pub(crate) fn into_triangulation(self) -> Triangulation {
+        debug_assert_eq!(self.vertices_in_use(), self.vertices, "a contraction is not undone");
+        let Self { sides, vertex_ids, vertices, components } = self;
+        Triangulation {
+            sides,
+            vertices: vertex_ids,
+            unreferenced: vertex_ids - vertices,
+            components,
+        }
+    }
+
+    /// Number of vertices that a half-edge leaves, those of removed triangles among them. O(n).
+    fn vertices_in_use(&self) -> usize {
+        let mut in_use = IdVec::<VertexId, bool>::filled(false, self.vertex_ids);
+        self.sides.as_slice().iter().for_each(|side| in_use[side.origin] = true);
+        in_use.as_slice().iter().filter(|&&in_use| in_use).count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::irreducible::{Discipline, ramaswami_siqueira};
+    use crate::samples::{surfaces, triangulation};
+    use crate::triangulation::{Id, ShrinkingTriangulation, VertexId};
+
+    #[test]
+    fn splits_are_those_of_a_shrinking_triangulation() {
+        for surface in surfaces(20, 61) {
+            let input = triangulation(&surface);
+            let [one, other] = [(); 2].map(|()| {
+                let k = ShrinkingTriangulation::of(input.clone());
+                let order = (0..k.vertex_id_count()).map(VertexId::new);
+                ramaswami_siqueira(k, order, Discipline::FirstInFirstOut)
+            });
+            let (mut k, mut t) = (one.triangulation, other.triangulation.into_expanding());
+            for (split, same) in one.splits.into_iter().zip(other.splits).rev() {
+                let h = split.half_edge();
+                k.split(split);
+                assert_eq!(t.split(same), k.degree(k.destination(h)));
+                assert_eq!(t.sides, k.sides);
+            }
+            assert_eq!(t.into_triangulation(), input);
+            assert_eq!(k.into_triangulation(), input);
+        }
+    }
+
+    #[test]
+    #[cfg(debug_assertions)]
+    #[should_panic(expected = "a contraction is not undone")]
+    fn what_is_still_contracted_is_no_triangulation() {
+        let mut k =
+            ShrinkingTriangulation::of(triangulation(&triquad_generators::classic::octahedron()));
+        let edge = k.outgoing(VertexId::new(0)).unwrap();
+        let _ = k.contract(edge);
+        k.into_triangulation();
+    }
+}

@@ -1,0 +1,78 @@
+//! The half-edges round an edge that is contracted or split.
+
+use super::{HalfEdgeId, IdVec, Side, VertexId};
+
+/// The half-edges round edge `h` from u to v, named once for contraction and split.
+///
+/// ```text
+///            x                 triangle (h, a, b):  u -> v -> x
+///          ↗ | ↖               triangle (hp, c, d): v -> u -> y
+///     tb / b   a \ ta          ta, tb, tc, td are the twins of a, b, c, d:
+///      /  ---h-->  \           ta: x -> v,  tb: u -> x,  tc: y -> u,  td: v -> y
+///     u  <--hp---   v
+///      \           /
+///     tc \ c   d / td
+///          ↘ | ↙
+///            y
+/// ```
+pub(super) struct Surroundings {
+    pub(super) hp: HalfEdgeId,
+    pub(super) a: HalfEdgeId,
+    pub(super) b: HalfEdgeId,
+    pub(super) c: HalfEdgeId,
+    pub(super) d: HalfEdgeId,
+    pub(super) ta: HalfEdgeId,
+    pub(super) tb: HalfEdgeId,
+    pub(super) tc: HalfEdgeId,
+    pub(super) td: HalfEdgeId,
+}
+
+impl Surroundings {
+    /// Read from the two triangles at the edge of `h`, so that it is the same before and after.
+    #[inline]
+    pub(super) fn of(sides: &IdVec<HalfEdgeId, Side>, h: HalfEdgeId) -> Self {
+        let hp = sides[h].twin;
+        let (a, b) = (h.next(), h.prev());
+        let (c, d) = (hp.next(), hp.prev());
+        let [ta, tb, tc, td] = [a, b, c, d].map(|side| sides[side].twin);
+        Self { hp, a, b, c, d, ta, tb, tc, td }
+    }
+
+    /// Hangs the spokes of v, but those to u, x and y, on `centre`; says how many there are.
+    #[inline]
+    pub(super) fn move_spokes(&self, sides: &mut IdVec<HalfEdgeId, Side>, centre: VertexId) -> u32 {
+        let mut moved = 0;
+        let mut g = self.ta.next();
+        while g != self.td {
+            sides[g].origin = centre;
+            moved += 1;
+            g = sides[g].twin.next();
+        }
+        moved
+    }
+
+    /// Undoes the contraction of the edge, as far as half-edges go: gives v its spokes and the two
+    /// triangles their places back, and says what degree v has. O(deg v).
+    #[inline]
+    pub(super) fn split(&self, sides: &mut IdVec<HalfEdgeId, Side>) -> u32 {
+        debug_assert!(
+            sides[self.ta].twin == self.tb && sides[self.tc].twin == self.td,
+            "not the last receipt"
+        );
+        let v = sides[self.hp].origin;
+        let moved = self.move_spokes(sides, v);
+        sides[self.td].origin = v;
+        join(sides, self.ta, self.a);
+        join(sides, self.tb, self.b);
+        join(sides, self.tc, self.c);
+        join(sides, self.td, self.d);
+        moved + 3
+    }
+}
+
+/// Makes `g` and `h` the two sides of one edge.
+#[inline]
+pub(super) fn join(sides: &mut IdVec<HalfEdgeId, Side>, g: HalfEdgeId, h: HalfEdgeId) {
+    sides[g].twin = h;
+    sides[h].twin = g;
+}
