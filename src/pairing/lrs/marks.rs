@@ -1,5 +1,6 @@
 //! Marks on the edges of a triangulation that is being expanded.
 
+use crate::dual::DualGraph;
 use crate::prefetch::prefetch;
 use crate::triangulation::{HalfEdgeId, Id, IdVec, Moves, TriangleId};
 
@@ -106,16 +107,24 @@ impl Marks {
     /// The side of the triangle of `h` whose edge is in M.
     #[inline]
     pub(super) fn matched_side(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        let f = h.triangle();
-        self.matched_place(f).map(|place| HalfEdgeId::new(f.half_edges()[0].index() + place))
+        let sides = h.triangle().half_edges();
+        // Without branches, as nobody can tell which side it is.
+        let [first, second, third] = sides.map(|side| self.has(side, Mark::Matched));
+        let place = usize::from(second) + 2 * usize::from(third);
+        (first | second | third).then(|| HalfEdgeId::new(sides[0].index() + place))
     }
 
-    /// Which of the three sides of `f` has its edge in M.
-    #[inline]
-    pub(super) fn matched_place(&self, f: TriangleId) -> Option<usize> {
-        // Without branches, as nobody can tell which side it is.
-        let [first, second, third] = f.half_edges().map(|side| self.has(side, Mark::Matched));
-        (first | second | third).then_some(usize::from(second) + 2 * usize::from(third))
+    /// For every triangle the one across the side whose edge is in M, or none. O(n).
+    pub(super) fn mates(&self, dual: &DualGraph) -> Vec<TriangleId> {
+        let (marks, _) = self.0.as_slice().as_chunks::<3>();
+        let mate =
+            |(marks, f): (&[u8; 3], TriangleId)| {
+                let sides = marks.iter().zip(dual.sides(f));
+                sides.fold(TriangleId::NONE, |mate, (marks, side)| {
+                    if marks & Mark::Matched as u8 == 0 { mate } else { side }
+                })
+            };
+        marks.iter().zip(dual.triangles()).map(mate).collect()
     }
 
     /// Takes the marks along to where a flip has moved half-edges.

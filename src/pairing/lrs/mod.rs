@@ -25,7 +25,7 @@ use std::borrow::Cow;
 use super::InitialPairing;
 use crate::dual::{DualGraph, Matching};
 use crate::irreducible::{Discipline, Reduction, ramaswami_siqueira};
-use crate::triangulation::{Id, ShrinkingTriangulation, TriangleId, Triangulation, VertexId};
+use crate::triangulation::{Id, ShrinkingTriangulation, Triangulation, VertexId};
 use marks::Marks;
 
 /// Where edges that are new at a vertex enter its list, see above.
@@ -70,11 +70,7 @@ impl Expanded {
     /// Pairs the triangles of 𝒦 = `k` on both sides of the edges that are marked as in M. O(n).
     fn new(k: Triangulation, marks: &Marks, edge_flips: usize) -> Self {
         let dual = DualGraph::of(&k);
-        let mate = |f: TriangleId| match marks.matched_place(f) {
-            Some(place) => dual.sides(f)[place],
-            None => TriangleId::NONE,
-        };
-        let matching = Matching::from_mates(k.triangles().map(mate).collect());
+        let matching = Matching::from_mates(marks.mates(&dual));
         Self { dual, matching, triangulation: k, edge_flips }
     }
 }
