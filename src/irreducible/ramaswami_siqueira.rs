@@ -14,7 +14,9 @@
 
 use super::edge_lists::{EdgeLists, List};
 use super::{Counts, Reduction};
-use crate::triangulation::{HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit};
+use crate::triangulation::{
+    Contraction, HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit,
+};
 
 /// Where edges that are new at u enter the list of untested edges.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -84,6 +86,16 @@ struct FarSpoke {
     spoke: HalfEdgeId,
     /// The other end, which u gains as a neighbour.
     end: VertexId,
+    /// The other side of the edge that faces v and will face u.
+    across: HalfEdgeId,
+}
+
+impl FarSpoke {
+    #[inline]
+    fn of(k: &ShrinkingTriangulation, spoke: HalfEdgeId) -> Self {
+        let facing = spoke.next();
+        Self { spoke, end: k.origin(facing), across: k.twin(facing) }
+    }
 }
 
 /// The state of the algorithm.
@@ -190,10 +202,9 @@ impl<O: Observer> Run<O> {
         if self.k.degree(self.centre) == 3 {
             return;
         }
-        // Before the contraction, which the printed line 4 comes after.
-        let [x, y] = self.k.apexes(self.lists[v].spoke);
         self.far_spokes.clear();
-        self.contract_walked(v);
+        // Read before they are lost, which the printed line 4 is too late for.
+        let [x, y] = self.contract_walked(v);
         let [nx, ny] = [x, y].map(|w| self.lists[w]);
         let [x_tested, y_tested] = [nx, ny].map(|n| n.tested_at != NEVER);
         // Printed with > in the first case. If no edge was contracted between the moment y became
@@ -217,10 +228,11 @@ impl<O: Observer> Run<O> {
         let mut cycles = 0;
         self.far_spokes.clear();
         for g in self.k.far_spokes(spoke) {
-            let z = self.k.destination(g);
-            self.far_spokes.push(FarSpoke { spoke: g, end: z });
+            let far = FarSpoke::of(&self.k, g);
+            self.far_spokes.push(far);
+            let z = far.end;
             // If [u, v] is contracted, [u, z] is tested soon.
-            self.k.prefetch(self.k.twin(g.next()));
+            self.k.prefetch(far.across);
             let Neighbour { centre, tested_at, .. } = self.lists[z];
             if centre == self.centre {
                 cycles += 1;
@@ -263,24 +275,22 @@ impl<O: Observer> Run<O> {
     /// gained.
     fn contract(&mut self, v: VertexId) {
         self.far_spokes.clear();
-        for spoke in self.k.far_spokes(self.lists[v].spoke) {
-            self.far_spokes.push(FarSpoke { spoke, end: self.k.destination(spoke) });
-        }
+        let far_spokes = self.k.far_spokes(self.lists[v].spoke);
+        self.far_spokes.extend(far_spokes.map(|spoke| FarSpoke::of(&self.k, spoke)));
         self.contract_walked(v);
     }
 
     /// Contracts [u, v], whose far spokes are at hand, and meets the neighbours that u gains
-    /// (Algorithms 4.5 and 4.7).
-    fn contract_walked(&mut self, v: VertexId) {
+    /// (Algorithms 4.5 and 4.7). Gives back the apexes of the two triangles that are gone.
+    fn contract_walked(&mut self, v: VertexId) -> [VertexId; 2] {
         self.now += 1;
         self.lists[v].processed = true;
         let h = self.lists[v].spoke;
         self.observer.contracting(self, h);
-        let [x, y] = self.k.apexes(h);
-        let split = self.k.contract_with(h, self.far_spokes.iter().map(|far| far.spoke));
-        // The spoke to y was a side of a triangle that is gone; the one to x was not.
-        self.lists[y].spoke = self.k.twin(self.k.twin(h).prev());
-        for w in [x, y] {
+        let far_spokes = self.far_spokes.iter().map(|far| far.spoke);
+        let Contraction { receipt, apexes, spoke_to_second } = self.k.contract_with(h, far_spokes);
+        self.lists[apexes[1]].spoke = spoke_to_second;
+        for w in apexes {
             let neighbour = &self.lists[w];
             let untested = !neighbour.processed && neighbour.tested_at == NEVER;
             if untested && self.k.degree(w) == 3 {
@@ -288,8 +298,8 @@ impl<O: Observer> Run<O> {
                 self.lists.push_front(List::Untested, w);
             }
         }
-        for &FarSpoke { spoke: g, end: z } in &self.far_spokes {
-            self.prefetch_beyond(g);
+        for &FarSpoke { spoke: g, end: z, across } in &self.far_spokes {
+            self.prefetch_beyond(across);
             let neighbour = &mut self.lists[z];
             neighbour.meet(self.centre, g, self.now);
             if neighbour.processed {
@@ -298,14 +308,14 @@ impl<O: Observer> Run<O> {
                 self.lists.enter(z, self.k.degree(z), self.discipline);
             }
         }
-        self.splits.push(split);
+        self.splits.push(receipt);
+        apexes
     }
 
-    /// Has the cache fetch what a test of the end of spoke `g` of u meets beyond the triangle across
-    /// from u.
+    /// Has the cache fetch what a test meets beyond the triangle of `across`: that of the end of a spoke
+    /// of u whose triangle faces it.
     #[inline]
-    fn prefetch_beyond(&self, g: HalfEdgeId) {
-        let across = self.k.twin(g.next());
+    fn prefetch_beyond(&self, across: HalfEdgeId) {
         self.lists.prefetch(self.k.origin(across.prev()));
         [across.next(), across.prev()]
             .into_iter()

@@ -40,25 +40,18 @@ impl ExpandingTriangulation {
 }
 
 /// Has the cache fetch half-edges for splits, in steps, as what lies round an edge is only known when
-/// the edge is there; gives back the nearest split whose triangles at the edge are there.
+/// the edge is there; gives back the nearest split whose triangles at the edge are there. The last few
+/// splits of all do without.
 #[inline]
 fn prefetch_splits(sides: &IdVec<HalfEdgeId, Side>, pending: &[VertexSplit]) -> Option<HalfEdgeId> {
-    /// How many receipts ahead each step is done.
-    const AHEAD: [usize; 3] = [16, 8, 4];
-    let [edge, near, far] = AHEAD.map(|by| {
-        let place = pending.len().checked_sub(by);
-        place.map(|place| pending[place].half_edge())
-    });
+    /// How many receipts ahead the first step is done; the others half of it, and a quarter.
+    const AHEAD: usize = 16;
+    let ahead = pending.last_chunk::<AHEAD>()?;
+    let [edge, near, far] = [0, AHEAD / 2, AHEAD * 3 / 4].map(|place| ahead[place].half_edge());
     let fetch = |h: HalfEdgeId| prefetch(sides.as_slice(), h.index());
-    if let Some(h) = edge {
-        fetch(h);
-    }
-    if let Some(h) = near {
-        [h, h.next(), h.prev()].into_iter().for_each(|side| fetch(sides[side].twin));
-    }
-    if let Some(h) = far {
-        let hp = sides[h].twin;
-        [hp.next(), hp.prev()].into_iter().for_each(|side| fetch(sides[side].twin));
-    }
-    far
+    fetch(edge);
+    [near, near.next(), near.prev()].into_iter().for_each(|side| fetch(sides[side].twin));
+    let hp = sides[far].twin;
+    [hp.next(), hp.prev()].into_iter().for_each(|side| fetch(sides[side].twin));
+    Some(far)
 }

@@ -45,6 +45,16 @@ impl VertexSplit {
     }
 }
 
+/// What is known of a contraction once it is done.
+pub(crate) struct Contraction {
+    pub(crate) receipt: VertexSplit,
+    /// The apexes of the two triangles that are gone.
+    pub(crate) apexes: [VertexId; 2],
+    /// The half-edge to the second apex from the end that stayed, which has a new one: that to the first
+    /// is what it was.
+    pub(crate) spoke_to_second: HalfEdgeId,
+}
+
 impl ShrinkingTriangulation {
     /// Takes a triangulation over, with all its ids. O(n).
     pub fn of(triangulation: Triangulation) -> Self {
@@ -149,7 +159,7 @@ impl ShrinkingTriangulation {
         let e = Surroundings::of(&self.sides, h);
         let centre = self.origin(h);
         e.move_spokes(&mut self.sides, centre);
-        self.close(h, &e)
+        self.close(h, &e).receipt
     }
 
     /// Like [`ShrinkingTriangulation::contract`], for who knows already which are the far spokes of
@@ -159,7 +169,7 @@ impl ShrinkingTriangulation {
         &mut self,
         h: HalfEdgeId,
         far_spokes: impl Iterator<Item = HalfEdgeId>,
-    ) -> VertexSplit {
+    ) -> Contraction {
         let centre = self.origin(h);
         far_spokes.for_each(|spoke| self.sides[spoke].origin = centre);
         self.close(h, &Surroundings::of(&self.sides, h))
@@ -167,7 +177,7 @@ impl ShrinkingTriangulation {
 
     /// Contracts the edge of `h`, whose far spokes have been moved already.
     #[inline]
-    fn close(&mut self, h: HalfEdgeId, e: &Surroundings) -> VertexSplit {
+    fn close(&mut self, h: HalfEdgeId, e: &Surroundings) -> Contraction {
         let (u, v) = (self.origin(h), self.origin(e.hp));
         let (x, y) = (self.origin(e.b), self.origin(e.d));
         debug_assert!(self.is_alive(h.triangle()) && self.twin(e.hp) == h);
@@ -183,7 +193,7 @@ impl ShrinkingTriangulation {
         self.star[y].degree -= 1;
         self.star[u].degree = self.star[u].degree + self.star[v].degree - 4;
         self.vertices -= 1;
-        VertexSplit(h)
+        Contraction { receipt: VertexSplit(h), apexes: [x, y], spoke_to_second: e.td }
     }
 
     /// Undoes the last contraction that has not been undone: origins, twins and degrees are bit for

@@ -20,6 +20,7 @@ mod survey;
 use crate::mesh::Faces;
 use crate::prefetch::prefetch;
 
+pub(crate) use contraction::Contraction;
 pub use contraction::{ShrinkingTriangulation, VertexSplit};
 pub(crate) use expansion::ExpandingTriangulation;
 pub(crate) use flip::{Moves, Places};
