@@ -2,8 +2,7 @@
 //! memory.
 
 use super::{
-    ExpandingTriangulation, HalfEdgeId, Id, IdVec, ShrinkingTriangulation, Side, VertexId,
-    VertexSplit,
+    ExpandingTriangulation, HalfEdgeId, Id, Links, ShrinkingTriangulation, VertexId, VertexSplit,
 };
 use crate::prefetch::prefetch;
 
@@ -19,39 +18,22 @@ impl ShrinkingTriangulation {
     pub(crate) fn prefetch_star(&self, v: VertexId) {
         prefetch(self.star.as_slice(), v.index());
     }
-
-    /// Has the cache fetch what the splits of the last of the receipts `pending` will need.
-    #[inline]
-    pub(crate) fn prefetch_splits(&self, pending: &[VertexSplit]) {
-        if let Some(h) = prefetch_splits(&self.sides, pending) {
-            [self.twin(h), h.prev(), self.twin(h).prev()]
-                .into_iter()
-                .for_each(|side| self.prefetch_star(self.origin(side)));
-        }
-    }
 }
 
 impl ExpandingTriangulation {
-    /// Has the cache fetch what the splits of the last of the receipts `pending` will need.
+    /// Has the cache fetch what the splits of the last of the receipts `pending` will need, in steps,
+    /// as what lies round an edge is only known when the edge is there. The last few splits of all do
+    /// without.
     #[inline]
     pub(crate) fn prefetch_splits(&self, pending: &[VertexSplit]) {
-        prefetch_splits(&self.sides, pending);
+        /// How many receipts ahead the first step is done; the others half of it, and a quarter.
+        const AHEAD: usize = 16;
+        let Some(ahead) = pending.last_chunk::<AHEAD>() else { return };
+        let [edge, near, far] = [0, AHEAD / 2, AHEAD * 3 / 4].map(|place| ahead[place].half_edge());
+        let fetch = |h: HalfEdgeId| prefetch(self.sides.as_slice(), h.index());
+        fetch(edge);
+        [near, near.next(), near.prev()].into_iter().for_each(|side| fetch(self.twin(side)));
+        let hp = self.twin(far);
+        [hp.next(), hp.prev()].into_iter().for_each(|side| fetch(self.twin(side)));
     }
-}
-
-/// Has the cache fetch half-edges for splits, in steps, as what lies round an edge is only known when
-/// the edge is there; gives back the nearest split whose triangles at the edge are there. The last few
-/// splits of all do without.
-#[inline]
-fn prefetch_splits(sides: &IdVec<HalfEdgeId, Side>, pending: &[VertexSplit]) -> Option<HalfEdgeId> {
-    /// How many receipts ahead the first step is done; the others half of it, and a quarter.
-    const AHEAD: usize = 16;
-    let ahead = pending.last_chunk::<AHEAD>()?;
-    let [edge, near, far] = [0, AHEAD / 2, AHEAD * 3 / 4].map(|place| ahead[place].half_edge());
-    let fetch = |h: HalfEdgeId| prefetch(sides.as_slice(), h.index());
-    fetch(edge);
-    [near, near.next(), near.prev()].into_iter().for_each(|side| fetch(sides[side].twin));
-    let hp = sides[far].twin;
-    [hp.next(), hp.prev()].into_iter().for_each(|side| fetch(sides[side].twin));
-    Some(far)
 }

@@ -218,23 +218,6 @@ impl ShrinkingTriangulation {
         self.vertices += 1;
     }
 
-    /// Like [`ShrinkingTriangulation::split`], where edges have been flipped since: `moved` says
-    /// where what was half-edge `g` at the contraction, on no flipped edge, is now if it has moved.
-    pub(crate) fn split_among_flips(
-        &mut self,
-        receipt: VertexSplit,
-        moved: impl Fn(HalfEdgeId) -> Option<HalfEdgeId>,
-    ) {
-        let VertexSplit(h) = receipt;
-        let hp = self.twin(h);
-        for side in [h.next(), h.prev(), hp.next(), hp.prev()] {
-            if let Some(place) = moved(self.twin(side)) {
-                self.sides[side].twin = place;
-            }
-        }
-        self.split(receipt);
-    }
-
     /// The spokes that the contraction of `receipt`, the last one, has moved to the end that stayed:
     /// those to all former neighbours of the vertex that went, but the other end and the apexes.
     pub fn moved_spokes(&self, receipt: &VertexSplit) -> Spokes<'_> {

@@ -1,7 +1,9 @@
 //! Vertex splits, where nothing is asked of vertices.
 
 use super::surroundings::Surroundings;
-use super::{HalfEdgeId, IdVec, Side, Triangulation, VertexId, VertexSplit};
+use super::{
+    HalfEdgeId, IdVec, ShrinkingTriangulation, Side, Triangulation, VertexId, VertexSplit,
+};
 
 /// A triangulation whose contractions are being undone: half-edges alone, so that a split touches
 /// nothing else. 24 bytes a triangle.
@@ -13,31 +15,83 @@ pub(crate) struct ExpandingTriangulation {
     pub(super) components: usize,
 }
 
-impl ExpandingTriangulation {
+/// What tells how half-edges hang together, in triangulations of several kinds.
+pub(crate) trait Links {
     /// The vertex that half-edge `h` leaves.
-    #[cfg(test)]
-    pub(crate) fn origin(&self, h: HalfEdgeId) -> VertexId {
+    fn origin(&self, h: HalfEdgeId) -> VertexId;
+
+    /// The other side of the edge of `h`.
+    fn twin(&self, h: HalfEdgeId) -> HalfEdgeId;
+}
+
+impl Links for ExpandingTriangulation {
+    #[inline]
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
         self.sides[h].origin
     }
 
-    /// The other side of the edge of `h`.
     #[inline]
-    pub(crate) fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
+    fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
         self.sides[h].twin
     }
+}
 
+impl Links for ShrinkingTriangulation {
+    #[inline]
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.origin(h)
+    }
+
+    #[inline]
+    fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
+        self.twin(h)
+    }
+}
+
+impl ExpandingTriangulation {
     /// Number of half-edges when every contraction has been undone; ids are below it.
     pub(crate) fn half_edge_id_count(&self) -> usize {
         self.sides.len()
     }
 
-    /// Like [`ShrinkingTriangulation::split`](super::ShrinkingTriangulation::split); says what degree
-    /// the vertex has that has come back. O(that degree).
+    /// Number of vertices when every contraction has been undone, with those that no triangle uses;
+    /// ids are below it.
+    pub(crate) fn vertex_id_count(&self) -> usize {
+        self.vertex_ids
+    }
+
+    /// What surrounds the edge of the last contraction that has not been undone.
     #[inline]
-    pub(crate) fn split(&mut self, receipt: VertexSplit) -> u32 {
-        let VertexSplit(h) = receipt;
+    pub(crate) fn surroundings(&self, receipt: &VertexSplit) -> Surroundings {
+        Surroundings::of(&self.sides, receipt.half_edge())
+    }
+
+    /// Like [`ExpandingTriangulation::surroundings`], where edges have been flipped since: `moved` says
+    /// where what was half-edge `g` at the contraction, on no flipped edge, is now if it has moved.
+    #[inline]
+    pub(crate) fn surroundings_among_flips(
+        &mut self,
+        receipt: &VertexSplit,
+        moved: impl Fn(HalfEdgeId) -> Option<HalfEdgeId>,
+    ) -> Surroundings {
+        let mut e = self.surroundings(receipt);
+        let outer = [&mut e.ta, &mut e.tb, &mut e.tc, &mut e.td];
+        for (side, twin) in [e.a, e.b, e.c, e.d].into_iter().zip(outer) {
+            if let Some(place) = moved(*twin) {
+                *twin = place;
+                self.sides[side].twin = place;
+            }
+        }
+        e
+    }
+
+    /// Undoes the last contraction that has not been undone, given what surrounds its edge, and says
+    /// what degree the vertex has that comes back. O(that degree).
+    #[inline]
+    pub(crate) fn split(&mut self, receipt: VertexSplit, e: &Surroundings) -> u32 {
+        debug_assert_eq!(receipt.half_edge(), e.h);
         self.vertices += 1;
-        Surroundings::of(&self.sides, h).split(&mut self.sides)
+        e.split(&mut self.sides)
     }
 
     /// The triangulation that it began as, when every contraction has been undone. O(1).
@@ -82,7 +136,8 @@ mod tests {
             for (split, same) in one.splits.into_iter().zip(other.splits).rev() {
                 let h = split.half_edge();
                 k.split(split);
-                assert_eq!(t.split(same), k.degree(k.destination(h)));
+                let e = t.surroundings(&same);
+                assert_eq!(t.split(same, &e), k.degree(k.destination(h)));
                 assert_eq!(t.sides, k.sides);
             }
             assert_eq!(t.into_triangulation(), input);

@@ -6,7 +6,9 @@
 //! marks: flips are not independent, as two flipped edges may share a triangle, so they are made one
 //! after the other.
 
-use super::{HalfEdgeId, Id, IdVec, ShrinkingTriangulation, Side, Triangulation};
+use super::{
+    ExpandingTriangulation, HalfEdgeId, Id, IdVec, ShrinkingTriangulation, Side, Triangulation,
+};
 use crate::prefetch::prefetch;
 
 /// Where half-edges are that have made way for flipped edges. 12 bytes a triangle.
@@ -66,6 +68,13 @@ impl Triangulation {
     ///
     /// # Panics
     /// In debug builds, if the flip would make a loop.
+    pub(crate) fn flip(&mut self, s: HalfEdgeId) -> Moves {
+        flip(&mut self.sides, s)
+    }
+}
+
+impl ExpandingTriangulation {
+    /// Like [`Triangulation::flip`], for an edge that is not contracted.
     pub(crate) fn flip(&mut self, s: HalfEdgeId) -> Moves {
         flip(&mut self.sides, s)
     }

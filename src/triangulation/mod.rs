@@ -22,12 +22,13 @@ use crate::prefetch::prefetch;
 
 pub(crate) use contraction::Contraction;
 pub use contraction::{ShrinkingTriangulation, VertexSplit};
-pub(crate) use expansion::ExpandingTriangulation;
+pub(crate) use expansion::{ExpandingTriangulation, Links};
 pub(crate) use flip::{Moves, Places};
 pub use ids::{HalfEdgeId, Id, IdVec, TriangleId, VertexId};
 pub use laws::{Element, Law, Violation};
 pub use link::LinkMarks;
 pub use star::Spokes;
+pub(crate) use surroundings::Surroundings;
 pub use survey::Survey;
 
 /// A triangulation of one or more closed, oriented surfaces.

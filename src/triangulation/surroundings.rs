@@ -15,16 +15,17 @@ use super::{HalfEdgeId, IdVec, Side, VertexId};
 ///          ↘ | ↙
 ///            y
 /// ```
-pub(super) struct Surroundings {
-    pub(super) hp: HalfEdgeId,
-    pub(super) a: HalfEdgeId,
-    pub(super) b: HalfEdgeId,
-    pub(super) c: HalfEdgeId,
-    pub(super) d: HalfEdgeId,
-    pub(super) ta: HalfEdgeId,
-    pub(super) tb: HalfEdgeId,
-    pub(super) tc: HalfEdgeId,
-    pub(super) td: HalfEdgeId,
+pub(crate) struct Surroundings {
+    pub(crate) h: HalfEdgeId,
+    pub(crate) hp: HalfEdgeId,
+    pub(crate) a: HalfEdgeId,
+    pub(crate) b: HalfEdgeId,
+    pub(crate) c: HalfEdgeId,
+    pub(crate) d: HalfEdgeId,
+    pub(crate) ta: HalfEdgeId,
+    pub(crate) tb: HalfEdgeId,
+    pub(crate) tc: HalfEdgeId,
+    pub(crate) td: HalfEdgeId,
 }
 
 impl Surroundings {
@@ -35,7 +36,7 @@ impl Surroundings {
         let (a, b) = (h.next(), h.prev());
         let (c, d) = (hp.next(), hp.prev());
         let [ta, tb, tc, td] = [a, b, c, d].map(|side| sides[side].twin);
-        Self { hp, a, b, c, d, ta, tb, tc, td }
+        Self { h, hp, a, b, c, d, ta, tb, tc, td }
     }
 
     /// Hangs the spokes of v, but those to u, x and y, on `centre`; says how many there are.

@@ -15,9 +15,11 @@ use std::ops::RangeInclusive;
 use super::Expanded;
 use super::marks::{Mark, Marks};
 use super::search::Search;
+use super::undoing::Undoing;
 use crate::irreducible::Reduction;
 use crate::triangulation::{
-    HalfEdgeId, IdVec, Places, ShrinkingTriangulation, Triangulation, VertexId, VertexSplit,
+    ExpandingTriangulation, HalfEdgeId, IdVec, Links, Places, ShrinkingTriangulation, Surroundings,
+    Triangulation, VertexId, VertexSplit,
 };
 
 /// How many triangles are looked round before an edge is flipped.
@@ -39,7 +41,7 @@ impl Observer for () {}
 /// The state of the expansion.
 pub(super) struct Run {
     /// 𝒦, as far as it has been expanded.
-    pub(super) k: ShrinkingTriangulation,
+    pub(super) k: ExpandingTriangulation,
     /// Which edges of 𝒦 are in M, and which are flips.
     pub(super) marks: Marks,
     places: Places,
@@ -54,7 +56,8 @@ pub(super) struct Run {
 
 /// Expands all vertices, the last contracted first. O(n).
 pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
-    let Reduction { triangulation: k, mut splits, .. } = reduction;
+    let Reduction { triangulation, mut splits, .. } = reduction;
+    let k = triangulation.into_expanding();
     let splits_again = Run::find_centres(&k, &splits);
     let mut run = Run {
         marks: Marks::new(k.half_edge_id_count()),
@@ -76,7 +79,7 @@ pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> 
 impl Run {
     /// Which vertices others have been contracted into. O(n), and O(m log n) lookups for m of them: all
     /// contractions into one are in a row.
-    fn find_centres(k: &ShrinkingTriangulation, splits: &[VertexSplit]) -> IdVec<VertexId, bool> {
+    fn find_centres(k: &ExpandingTriangulation, splits: &[VertexSplit]) -> IdVec<VertexId, bool> {
         let mut is_centre = IdVec::filled(false, k.vertex_id_count());
         let centre_of = |split: &VertexSplit| k.origin(split.half_edge());
         let mut rest = splits;
@@ -90,21 +93,17 @@ impl Run {
     }
 
     /// Expands one vertex and pairs its triangles. Half-edges have the names of
-    /// [`super::printed`].
+    /// [`Surroundings`].
     fn expand(&mut self, split: VertexSplit) {
-        let h = split.half_edge();
-        self.split_at(self.k.origin(h));
-        let hp = self.k.twin(h);
-        let [a, b, c, d] = [h.next(), h.prev(), hp.next(), hp.prev()];
         let Self { k, marks, places, .. } = self;
         // Wherever a flipped edge has displaced another, there is a flipped edge now.
-        k.split_among_flips(split, |g| marks.has(g, Mark::Flipped).then(|| places.of(g)));
-        let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.k.twin(side));
-        let matched = [tb, tc].map(|side| self.marks.has(side, Mark::Matched));
-        self.marks.copy(tb, b);
-        self.marks.copy(tc, c);
-        self.marks.clear(ta);
-        self.marks.clear(td);
+        let moved = |g| marks.has(g, Mark::Flipped).then(|| places.of(g));
+        let at = k.surroundings_among_flips(&split, moved);
+        let matched = [at.tb, at.tc].map(|side| marks.has(side, Mark::Matched));
+        k.split(split, &at);
+        marks.split(&at);
+        let Surroundings { h, hp, a, d, ta, td, .. } = at;
+        self.split_at(self.k.origin(h));
         let ends = match matched {
             [false, false] => return self.match_edge(h),
             [true, true] => [ta, td],
@@ -113,7 +112,8 @@ impl Run {
         };
         let Self { k, marks, splits_again, search, .. } = self;
         // An edge that may split at both ends would be in the way of a flip.
-        let allowed = |h| !(splits_again[k.origin(h)] && splits_again[k.destination(h)]);
+        let allowed =
+            |h: HalfEdgeId| !(splits_again[k.origin(h)] && splits_again[k.origin(h.next())]);
         if search.pair(ends, LIMIT, k, marks, allowed) {
             return;
         }
@@ -155,91 +155,15 @@ impl Run {
 
     /// 𝒦 and the matching of its triangles, when all vertices are back, with the flips undone that can
     /// be. O(n).
-    pub(super) fn finish(mut self, input: &Triangulation) -> Expanded {
-        let mut flips = std::mem::take(&mut self.flips);
+    pub(super) fn finish(self, input: &Triangulation) -> Expanded {
+        let Self { k, marks, search, flips, places, .. } = self;
+        drop(places);
         let limit = LAST_ROUNDS * input.triangle_count() / flips.len().max(1);
         let limit = limit.clamp(*LAST_LIMITS.start(), *LAST_LIMITS.end());
-        let mut lasting = 0;
-        // The newest first: it may be in the way of older ones, and they are not in its way.
-        while let Some(h) = flips.pop() {
-            self.prefetch_undoing(input, &flips);
-            lasting += usize::from(!self.undo(input, h, limit));
-        }
-        Expanded::new(self.k.into_triangulation(), &self.marks, lasting)
-    }
-
-    /// Has the cache fetch what undoing the last of the flips `pending` will need, in steps, as what
-    /// lies round an edge is only known when the edge is there.
-    fn prefetch_undoing(&self, input: &Triangulation, pending: &[HalfEdgeId]) {
-        /// How many flips ahead each step is done.
-        const AHEAD: [usize; 3] = [12, 8, 4];
-        let [edge, ends, spokes] =
-            AHEAD.map(|by| pending.len().checked_sub(by).map(|place| pending[place]));
-        if let Some(h) = edge {
-            input.prefetch(h);
-        }
-        for v in ends.into_iter().flat_map(|h| input.ends(h)) {
-            self.k.prefetch_star(v);
-        }
-        for spoke in
-            spokes.into_iter().flat_map(|h| input.ends(h)).filter_map(|v| self.k.outgoing(v))
-        {
-            self.k.prefetch(spoke);
-        }
-    }
-
-    /// Flips an edge back to edge `h` of the input, if there is one to be and the pairing can be mended
-    /// with `limit` triangles looked round.
-    fn undo(&mut self, input: &Triangulation, h: HalfEdgeId, limit: usize) -> bool {
-        let Some(s) = self.flip_of(input.ends(h)) else { return false };
-        if !self.marks.has(s, Mark::Matched) && !self.make_way(s, limit) {
-            return false;
-        }
-        let moves = self.k.flip(s);
-        self.marks.follow(&moves);
-        for (_, side) in &moves[2..] {
-            self.marks.remove(*side, Mark::Flipped);
-        }
-        true
-    }
-
-    /// The edge of 𝒦 that is a flip and becomes the edge with these ends when it is flipped, if there
-    /// is one.
-    fn flip_of(&self, [one, other]: [VertexId; 2]) -> Option<HalfEdgeId> {
-        let (centre, apex) =
-            if self.k.degree(one) <= self.k.degree(other) { (one, other) } else { (other, one) };
-        let opposite = self.k.spokes(centre).map(HalfEdgeId::next);
-        let faces_apex = |&s: &HalfEdgeId| self.k.origin(self.k.twin(s).prev()) == apex;
-        opposite.filter(|&s| self.marks.has(s, Mark::Flipped)).find(faces_apex)
-    }
-
-    /// Has the mates of the two triangles at `s` paired otherwise, if they would be in one triangle's way
-    /// once the edge of `s` is flipped. False, and nothing has changed, if that cannot be.
-    fn make_way(&mut self, s: HalfEdgeId, limit: usize) -> bool {
-        let t = self.k.twin(s);
-        let sides = [s, t].map(|side| self.marks.matched_side(side));
-        let [Some(one), Some(other)] = sides else { return true };
-        // Flipped, the triangle of s has the sides before s and after t, that of t the other two.
-        if (one == s.prev()) != (other == t.next()) {
-            return true;
-        }
-        let mates = [one, other].map(|side| self.k.twin(side));
-        for side in [one, other].into_iter().chain(mates) {
-            self.marks.remove(side, Mark::Matched);
-        }
-        for side in [s, t] {
-            self.marks.add(side, Mark::Matched);
-            self.marks.add(side, Mark::Inner);
-        }
-        let Self { k, marks, search, .. } = self;
-        let found = search.pair(mates, limit, k, marks, |_| true);
-        for side in [s, t] {
-            self.marks.remove(side, Mark::Inner);
-        }
-        if !found {
-            [s, t].into_iter().for_each(|side| self.marks.remove(side, Mark::Matched));
-            [one, other].into_iter().for_each(|side| self.match_edge(side));
-        }
-        found
+        let k = ShrinkingTriangulation::of(k.into_triangulation());
+        let mut undoing = Undoing { input, k, marks, search, limit };
+        let lasting = undoing.undo_all(flips);
+        let Undoing { k, marks, .. } = undoing;
+        Expanded::new(k.into_triangulation(), &marks, lasting)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::dual::DualGraph;
 use crate::prefetch::prefetch;
-use crate::triangulation::{HalfEdgeId, Id, IdVec, Moves, TriangleId};
+use crate::triangulation::{HalfEdgeId, Id, IdVec, Moves, Surroundings, TriangleId};
 
 /// One thing that is known of an edge; an edge may have several marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,16 +74,14 @@ impl Marks {
         self.0[h] &= !(mark as u8);
     }
 
-    /// Takes all marks away from `h`.
+    /// Follows the split round `at`: the edges [u, x] and [u, y] keep their marks, [v, x] and [v, y] are
+    /// new.
     #[inline]
-    pub(super) fn clear(&mut self, h: HalfEdgeId) {
-        self.0[h] = 0;
-    }
-
-    /// Gives `to` the marks of `from`.
-    #[inline]
-    pub(super) fn copy(&mut self, from: HalfEdgeId, to: HalfEdgeId) {
-        self.0[to] = self.0[from];
+    pub(super) fn split(&mut self, at: &Surroundings) {
+        self.0[at.b] = self.0[at.tb];
+        self.0[at.c] = self.0[at.tc];
+        self.0[at.ta] = 0;
+        self.0[at.td] = 0;
     }
 
     /// Whether a search has come to `h`.

@@ -19,6 +19,7 @@ mod invariants;
 mod marks;
 mod printed;
 mod search;
+mod undoing;
 
 use std::borrow::Cow;
 

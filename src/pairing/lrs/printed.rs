@@ -10,7 +10,7 @@ use super::Expanded;
 use super::marks::{Mark, Marks};
 use crate::irreducible::Reduction;
 use crate::triangulation::{
-    ExpandingTriangulation, HalfEdgeId, Places, Triangulation, VertexSplit,
+    ExpandingTriangulation, HalfEdgeId, Links, Places, Surroundings, Triangulation, VertexSplit,
 };
 
 /// Looks on while vertices come back; production looks away.
@@ -31,24 +31,9 @@ pub(super) struct Run {
     pub(super) flips: Vec<HalfEdgeId>,
 }
 
-/// The half-edges round a vertex v that has come back to its vertex u, with the names of
-/// [`ShrinkingTriangulation`](crate::triangulation::ShrinkingTriangulation).
-///
-/// ```text
-///            x              triangle (h, a, b):  u -> v -> x
-///          / | \            triangle (hp, c, d): v -> u -> y
-///     tb /b  | a\ ta        before the split, tb and ta were the edge [u, x],
-///       u -h-- v                              tc and td were the edge [u, y]
-///     tc \c  | d/ td
-///          \ | /
-///            y
-/// ```
+/// A vertex v that has come back to its vertex u.
 struct Split {
-    h: HalfEdgeId,
-    a: HalfEdgeId,
-    d: HalfEdgeId,
-    ta: HalfEdgeId,
-    td: HalfEdgeId,
+    at: Surroundings,
     /// Number of edges at v.
     degree: u32,
     /// Whether [u, x] is in M, and [u, y].
@@ -74,7 +59,7 @@ impl Run {
     fn expand(&mut self, split: VertexSplit) {
         let e = self.split(split);
         if e.matched == [false; 2] {
-            self.match_edge(e.h);
+            self.match_edge(e.at.h);
         } else if e.degree == 3 {
             self.match_degree_three(&e);
         } else if e.degree == 4 && !self.is_opposite_flipped(&e) {
@@ -86,29 +71,21 @@ impl Run {
 
     /// Splits vertices. The edges [u, x] and [u, y] keep their marks; [v, x] and [v, y] are new.
     fn split(&mut self, split: VertexSplit) -> Split {
-        let h = split.half_edge();
-        let hp = self.t.twin(h);
-        let [a, b, c, d] = [h.next(), h.prev(), hp.next(), hp.prev()];
-        let [ta, tb, tc, td] = [a, b, c, d].map(|side| self.t.twin(side));
+        let at = self.t.surroundings(&split);
         let marks = &mut self.marks;
-        debug_assert!(
-            ![tb, tc].iter().any(|&side| marks.has(side, Mark::Flipped)),
-            "they are in 𝒦"
-        );
-        let matched = [tb, tc].map(|side| marks.has(side, Mark::Matched));
-        let degree = self.t.split(split);
-        marks.copy(tb, b);
-        marks.copy(tc, c);
-        marks.clear(ta);
-        marks.clear(td);
-        debug_assert!([h, hp, a, d].iter().all(|&side| marks.is_plain(side)));
-        Split { h, a, d, ta, td, degree, matched }
+        let kept = [at.tb, at.tc];
+        debug_assert!(!kept.iter().any(|&side| marks.has(side, Mark::Flipped)), "they are in 𝒦");
+        let matched = kept.map(|side| marks.has(side, Mark::Matched));
+        let degree = self.t.split(split, &at);
+        marks.split(&at);
+        debug_assert!([at.h, at.hp, at.a, at.d].iter().all(|&side| marks.is_plain(side)));
+        Split { at, degree, matched }
     }
 
     /// Algorithm 3.2. The paper has [x, y] flipped back whenever it is flipped; it is if and only if
     /// both [u, x] and [u, y] are in M.
     fn match_degree_three(&mut self, e: &Split) {
-        let xy = e.td.next();
+        let xy = e.at.td.next();
         let both = e.matched == [true; 2];
         debug_assert_eq!(self.marks.has(xy, Mark::Flipped), both);
         if both {
@@ -117,23 +94,23 @@ impl Run {
             }
             self.match_edge(xy);
         } else if e.matched[0] {
-            self.match_edge(e.d);
+            self.match_edge(e.at.d);
         } else {
-            self.match_edge(e.a);
+            self.match_edge(e.at.a);
         }
     }
 
     /// Whether [x, z] or [y, z] is flipped, where z is the fourth neighbour of v.
     fn is_opposite_flipped(&self, e: &Split) -> bool {
-        let xz = e.ta.next().next();
-        let yz = e.td.next();
+        let xz = e.at.ta.next().next();
+        let yz = e.at.td.next();
         [xz, yz].iter().any(|&side| self.marks.has(side, Mark::Flipped))
     }
 
     /// Algorithm 3.3.
     fn match_degree_four(&mut self, e: &Split) {
         if e.matched == [true; 2] {
-            let vz = e.ta.next();
+            let vz = e.at.ta.next();
             self.match_edge(vz);
         } else {
             self.match_greater_degree(e);
@@ -142,13 +119,13 @@ impl Run {
 
     /// Algorithm 3.4.
     fn match_greater_degree(&mut self, e: &Split) {
-        for (matched, side) in e.matched.into_iter().zip([e.a, e.d]) {
+        for (matched, side) in e.matched.into_iter().zip([e.at.a, e.at.d]) {
             if matched {
                 self.add(side, Mark::Flipped);
                 self.flips.push(side);
             }
         }
-        self.match_edge(e.h);
+        self.match_edge(e.at.h);
     }
 
     fn match_edge(&mut self, h: HalfEdgeId) {

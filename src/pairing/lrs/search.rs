@@ -4,7 +4,7 @@
 //! one of the other: with as much searched, a path may be twice as long as with one tree.
 
 use super::marks::{Mark, Marks};
-use crate::triangulation::{HalfEdgeId, ShrinkingTriangulation};
+use crate::triangulation::{HalfEdgeId, Links};
 
 /// What a search remembers; kept from one to the next to be allocated once.
 #[derive(Default)]
@@ -34,7 +34,7 @@ impl Search {
         &mut self,
         ends: [HalfEdgeId; 2],
         limit: usize,
-        k: &ShrinkingTriangulation,
+        k: &impl Links,
         marks: &mut Marks,
         allowed: impl Fn(HalfEdgeId) -> bool,
     ) -> bool {
@@ -66,7 +66,7 @@ impl Search {
         &mut self,
         ends: [HalfEdgeId; 2],
         limit: usize,
-        k: &ShrinkingTriangulation,
+        k: &impl Links,
         marks: &mut Marks,
         allowed: impl Fn(HalfEdgeId) -> bool,
     ) -> Option<(HalfEdgeId, [usize; 2])> {
@@ -92,7 +92,7 @@ impl Search {
         &mut self,
         at: usize,
         ends: [HalfEdgeId; 2],
-        k: &ShrinkingTriangulation,
+        k: &impl Links,
         marks: &mut Marks,
         allowed: &impl Fn(HalfEdgeId) -> bool,
     ) -> Option<(HalfEdgeId, [usize; 2])> {
@@ -125,7 +125,7 @@ impl Search {
         before: usize,
         tree: Mark,
         [side, matched]: [HalfEdgeId; 2],
-        k: &ShrinkingTriangulation,
+        k: &impl Links,
         marks: &mut Marks,
     ) -> bool {
         if marks.is_visited(matched) {
@@ -144,7 +144,7 @@ impl Search {
 #[inline]
 fn side_between(
     [one, other]: [HalfEdgeId; 2],
-    k: &ShrinkingTriangulation,
+    k: &impl Links,
     allowed: &impl Fn(HalfEdgeId) -> bool,
 ) -> Option<HalfEdgeId> {
     let goal = other.triangle();
@@ -157,7 +157,7 @@ fn side_between(
     found.some()
 }
 
-fn add(k: &ShrinkingTriangulation, marks: &mut Marks, side: HalfEdgeId) {
+fn add(k: &impl Links, marks: &mut Marks, side: HalfEdgeId) {
     for side in [side, k.twin(side)] {
         marks.add(side, Mark::Matched);
     }
