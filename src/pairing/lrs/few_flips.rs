@@ -47,6 +47,8 @@ pub(super) struct Run {
     places: Places,
     /// The vertices into which others have been contracted that are not back yet.
     splits_again: IdVec<VertexId, bool>,
+    /// How many they are.
+    centres: usize,
     /// The one that splits now.
     centre: VertexId,
     search: Search,
@@ -63,6 +65,7 @@ pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> 
         marks: Marks::new(k.half_edge_id_count()),
         places: Places::new(k.half_edge_id_count()),
         k,
+        centres: splits_again.as_slice().iter().filter(|&&splits| splits).count(),
         splits_again,
         centre: VertexId::NONE,
         search: Search::default(),
@@ -110,10 +113,11 @@ impl Run {
             [true, false] => [ta, hp],
             [false, true] => [td, h],
         };
-        let Self { k, marks, splits_again, search, .. } = self;
+        let Self { k, marks, splits_again, centres, search, .. } = self;
         // An edge that may split at both ends would be in the way of a flip.
+        let splits = |v| splits_again[v];
         let allowed =
-            |h: HalfEdgeId| !(splits_again[k.origin(h)] && splits_again[k.origin(h.next())]);
+            |h: HalfEdgeId| *centres < 2 || !(splits(k.origin(h)) && splits(k.origin(h.next())));
         if search.pair(ends, LIMIT, k, marks, allowed) {
             return;
         }
@@ -131,6 +135,7 @@ impl Run {
         if centre != self.centre {
             if let Some(before) = self.centre.some() {
                 self.splits_again[before] = false;
+                self.centres -= 1;
             }
             self.centre = centre;
         }

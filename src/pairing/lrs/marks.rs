@@ -112,16 +112,28 @@ impl Marks {
         (first | second | third).then(|| HalfEdgeId::new(sides[0].index() + place))
     }
 
+    /// The side of the triangle of `h` whose edge is in M, if it is not that of `h`.
+    #[inline]
+    pub(super) fn matched_beyond(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        let (next, previous) = (h.next(), h.prev());
+        let [is_next, is_previous] = [next, previous].map(|side| self.has(side, Mark::Matched));
+        (is_next | is_previous).then_some(if is_next { next } else { previous })
+    }
+
     /// For every triangle the one across the side whose edge is in M, or none. O(n).
     pub(super) fn mates(&self, dual: &DualGraph) -> Vec<TriangleId> {
         let (marks, _) = self.0.as_slice().as_chunks::<3>();
-        let mate =
-            |(marks, f): (&[u8; 3], TriangleId)| {
-                let sides = marks.iter().zip(dual.sides(f));
-                sides.fold(TriangleId::NONE, |mate, (marks, side)| {
-                    if marks & Mark::Matched as u8 == 0 { mate } else { side }
-                })
-            };
+        let mate = |(marks, f): (&[u8; 3], TriangleId)| {
+            // Without branches, as nobody can tell which side it is: all ones for the one side in M.
+            let chosen =
+                marks.map(|mark| u32::from(mark & Mark::Matched as u8 != 0).wrapping_neg());
+            let [first, second, third] = chosen;
+            let sides = chosen.iter().zip(dual.sides(f)).map(|(chosen, side)| chosen & side.0);
+            TriangleId(
+                sides
+                    .fold(TriangleId::NONE.0 & !(first | second | third), |mate, side| mate | side),
+            )
+        };
         marks.iter().zip(dual.triangles()).map(mate).collect()
     }
 

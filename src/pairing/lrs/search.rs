@@ -102,7 +102,7 @@ impl Search {
         for &side in &sides[..if at < 2 { 3 } else { 2 }] {
             let across = k.twin(side);
             let allowed = allowed(side);
-            let met = match marks.matched_side(across) {
+            let met = match marks.matched_beyond(across) {
                 // One branch: each of the three conditions is as good as random.
                 Some(matched) if marks.is_seen(matched, tree) | !allowed => false,
                 Some(matched) => self.reach(at, tree, [side, matched], k, marks),
