@@ -124,15 +124,12 @@ impl Marks {
     pub(super) fn mates(&self, dual: &DualGraph) -> Vec<TriangleId> {
         let (marks, _) = self.0.as_slice().as_chunks::<3>();
         let mate = |(marks, f): (&[u8; 3], TriangleId)| {
-            // Without branches, as nobody can tell which side it is: all ones for the one side in M.
-            let chosen =
+            // Without branches, as nobody can tell which side it is: all ones for the one in M.
+            let [first, second, third] =
                 marks.map(|mark| u32::from(mark & Mark::Matched as u8 != 0).wrapping_neg());
-            let [first, second, third] = chosen;
-            let sides = chosen.iter().zip(dual.sides(f)).map(|(chosen, side)| chosen & side.0);
-            TriangleId(
-                sides
-                    .fold(TriangleId::NONE.0 & !(first | second | third), |mate, side| mate | side),
-            )
+            let [one, two, three] = dual.sides(f).map(|across| across.0);
+            let none = TriangleId::NONE.0 & !(first | second | third);
+            TriangleId(first & one | second & two | third & three | none)
         };
         marks.iter().zip(dual.triangles()).map(mate).collect()
     }
