@@ -28,25 +28,24 @@ pub(super) struct EdgeLists<T> {
 }
 
 /// Aligned so that no node of the size that occurs lies across two cache lines.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, bytemuck::Zeroable)]
 #[repr(align(32))]
 struct Node<T> {
     links: Links,
     end: T,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, bytemuck::Zeroable)]
 struct Links {
     before: VertexId,
     after: VertexId,
 }
 
-impl<T: Copy> EdgeLists<T> {
-    /// Two empty lists of edges to any of `vertices` vertices, with `end` for each. O(n).
-    pub(super) fn new(end: T, vertices: usize) -> Self {
-        let links = Links { before: VertexId::NONE, after: VertexId::NONE };
-        let nodes = IdVec::filled(Node { links, end }, vertices + 2);
-        let mut lists = Self { nodes, vertices };
+impl<T: Copy + bytemuck::Zeroable> EdgeLists<T> {
+    /// Two empty lists of edges to any of `vertices` vertices, with all zeros for each: memory that the
+    /// system gives as it is wanted. O(n).
+    pub(super) fn new(vertices: usize) -> Self {
+        let mut lists = Self { nodes: bytemuck::zeroed_vec(vertices + 2).into(), vertices };
         lists.clear(List::Untested);
         lists.clear(List::Tested);
         lists
@@ -161,7 +160,7 @@ mod tests {
     #[test]
     fn edges_move_from_anywhere_to_either_end() {
         let [a, b, c] = [0, 1, 2].map(VertexId::new);
-        let mut lists = EdgeLists::new(0u8, 3);
+        let mut lists = EdgeLists::<u8>::new(3);
         lists.push_rear(List::Untested, a);
         lists.push_rear(List::Untested, b);
         lists.push_front(List::Untested, c);

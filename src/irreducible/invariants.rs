@@ -119,7 +119,7 @@ impl Checker {
             .map(VertexId::new)
             .filter(|&v| run.k.outgoing(v).is_some() && v != run.centre)
         {
-            let is_known = run.lists[v].centre == run.centre;
+            let is_known = run.lists[v].round == run.round;
             assert_eq!(is_known, graph.neighbours(run.centre).any(|w| w == v));
             if is_known {
                 let h = run.lists[v].spoke;
@@ -134,7 +134,7 @@ impl Checker {
         let untested: Vec<_> = run.lists.iter(List::Untested).collect();
         for &v in &untested {
             let n = run.lists[v];
-            assert_eq!((n.centre, n.tested_at, n.critical_cycles), (run.centre, NEVER, 0));
+            assert_eq!((n.round, n.tested_at, n.critical_cycles), (run.round, NEVER, 0));
             assert!(!n.processed && run.k.outgoing(v).is_some());
         }
         if self.discipline == Discipline::FirstInFirstOut {

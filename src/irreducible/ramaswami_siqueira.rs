@@ -63,11 +63,12 @@ impl Observer for () {}
 /// Time before any contraction: the edge has not been tested.
 pub(super) const NEVER: u32 = u32::MAX;
 
-/// What is known of a vertex v, mostly as a neighbour of the vertex u being processed (Table 1).
-#[derive(Clone, Copy, Debug)]
+/// What is known of a vertex v, mostly as a neighbour of the vertex u being processed (Table 1). All
+/// zeros for one that has never been a neighbour.
+#[derive(Clone, Copy, Debug, bytemuck::Zeroable)]
 pub(super) struct Neighbour {
-    /// n: the last vertex whose neighbour it was while that was processed.
-    pub(super) centre: VertexId,
+    /// n: the last round in which it was a neighbour; instead of the vertex that was u.
+    pub(super) round: u32,
     /// c: critical cycles through [u, v], if [u, v] has been put aside.
     pub(super) critical_cycles: u32,
     /// o: when it became a neighbour of u.
@@ -104,6 +105,8 @@ pub(super) struct Run<O> {
     pub(super) lists: EdgeLists<Neighbour>,
     /// u.
     pub(super) centre: VertexId,
+    /// The number of vertices that have been u, with this one.
+    pub(super) round: u32,
     /// ts: the number of contractions.
     now: u32,
     discipline: Discipline,
@@ -116,19 +119,11 @@ pub(super) struct Run<O> {
 
 impl<O: Observer> Run<O> {
     pub(super) fn new(k: ShrinkingTriangulation, discipline: Discipline, observer: O) -> Self {
-        let stranger = Neighbour {
-            centre: VertexId::NONE,
-            critical_cycles: 0,
-            known_since: 0,
-            tested_at: NEVER,
-            spoke: HalfEdgeId::NONE,
-            processed: false,
-        };
-        let vertices = k.vertex_id_count();
         Self {
-            lists: EdgeLists::new(stranger, vertices),
+            lists: EdgeLists::new(k.vertex_id_count()),
             splits: Vec::with_capacity(k.vertex_count()),
             centre: VertexId::NONE,
+            round: 0,
             now: 0,
             discipline,
             far_spokes: Vec::new(),
@@ -184,12 +179,13 @@ impl<O: Observer> Run<O> {
     /// Makes `u` the centre and lists its edges to vertices that have not been processed.
     fn meet_neighbours(&mut self, u: VertexId) {
         self.centre = u;
+        self.round += 1;
         self.lists.clear(List::Untested);
         self.lists.clear(List::Tested);
         for h in self.k.spokes(u) {
             let v = self.k.destination(h);
             let neighbour = &mut self.lists[v];
-            neighbour.meet(u, h, self.now);
+            neighbour.meet(self.round, h, self.now);
             if !neighbour.processed {
                 self.lists.enter(v, self.k.degree(v), self.discipline);
             }
@@ -233,8 +229,8 @@ impl<O: Observer> Run<O> {
             let z = far.end;
             // If [u, v] is contracted, [u, z] is tested soon.
             self.k.prefetch(far.across);
-            let Neighbour { centre, tested_at, .. } = self.lists[z];
-            if centre == self.centre {
+            let Neighbour { round, tested_at, .. } = self.lists[z];
+            if round == self.round {
                 cycles += 1;
                 if tested_at != NEVER && tested_at < known_since {
                     count(&mut self.lists, z);
@@ -301,9 +297,9 @@ impl<O: Observer> Run<O> {
         for &FarSpoke { spoke: g, end: z, across } in &self.far_spokes {
             self.prefetch_beyond(across);
             let neighbour = &mut self.lists[z];
-            neighbour.meet(self.centre, g, self.now);
+            neighbour.meet(self.round, g, self.now);
             if neighbour.processed {
-                count_cycles_through(&self.k, &mut self.lists, g);
+                count_cycles_through(&self.k, &mut self.lists, self.round, g);
             } else {
                 self.lists.enter(z, self.k.degree(z), self.discipline);
             }
@@ -334,10 +330,10 @@ impl<O: Observer> Run<O> {
 }
 
 impl Neighbour {
-    /// It turns out to be a neighbour of `centre`, through `spoke`.
+    /// It turns out to be a neighbour of u in this `round`, through `spoke`.
     #[inline]
-    fn meet(&mut self, centre: VertexId, spoke: HalfEdgeId, now: u32) {
-        self.centre = centre;
+    fn meet(&mut self, round: u32, spoke: HalfEdgeId, now: u32) {
+        self.round = round;
         self.spoke = spoke;
         self.known_since = now;
         self.tested_at = NEVER;
@@ -351,12 +347,12 @@ impl Neighbour {
 fn count_cycles_through(
     k: &ShrinkingTriangulation,
     lists: &mut EdgeLists<Neighbour>,
+    round: u32,
     g: HalfEdgeId,
 ) {
-    let centre = k.origin(g);
     for spoke in k.far_spokes(g) {
         let w = k.destination(spoke);
-        if lists[w].centre == centre && lists[w].tested_at != NEVER {
+        if lists[w].round == round && lists[w].tested_at != NEVER {
             count(lists, w);
         }
     }

@@ -32,6 +32,18 @@ pub(super) struct Star {
     pub(super) degree: u32,
 }
 
+impl Star {
+    /// Nothing leaves the vertex.
+    const LONELY: Self = Self { outgoing: HalfEdgeId::NONE, degree: 0 };
+
+    /// Half-edge `h` leaves it, too.
+    #[inline]
+    fn add(&mut self, h: HalfEdgeId) {
+        self.outgoing = h;
+        self.degree += 1;
+    }
+}
+
 /// Receipt of one contraction, undone last-in first-out; not `Clone`, so at most once.
 #[must_use = "without its receipt a contraction is permanent"]
 #[derive(Debug)]
@@ -59,14 +71,26 @@ impl ShrinkingTriangulation {
     /// Takes a triangulation over, with all its ids. O(n).
     pub fn of(triangulation: Triangulation) -> Self {
         let Triangulation { sides, vertices, unreferenced, components } = triangulation;
-        let mut star = IdVec::filled(Star { outgoing: HalfEdgeId::NONE, degree: 0 }, vertices);
+        let mut star = IdVec::filled(Star::LONELY, vertices);
         for (h, side) in sides.as_slice().iter().enumerate() {
-            let star = &mut star[side.origin];
-            star.outgoing = HalfEdgeId::new(h);
-            star.degree += 1;
+            star[side.origin].add(HalfEdgeId::new(h));
         }
-        let vertices = vertices - unreferenced;
-        Self { sides, star, vertices, components }
+        Self { sides, star, vertices: vertices - unreferenced, components }
+    }
+
+    /// Copies a triangulation, with all its ids; sooner than to clone it and take that over. O(n).
+    pub fn copy_of(triangulation: &Triangulation) -> Self {
+        let mut star = IdVec::filled(Star::LONELY, triangulation.vertices);
+        let sides = triangulation.sides().iter().enumerate().map(|(h, &side)| {
+            star[side.origin].add(HalfEdgeId::new(h));
+            side
+        });
+        Self {
+            sides: sides.collect::<Vec<_>>().into(),
+            star,
+            vertices: triangulation.vertices - triangulation.unreferenced,
+            components: triangulation.components,
+        }
     }
 
     /// The vertex that half-edge `h` leaves.

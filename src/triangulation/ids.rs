@@ -14,7 +14,7 @@ pub trait Id: Copy + Eq + Ord + std::fmt::Debug {
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, bytemuck::Zeroable)]
         #[repr(transparent)]
         pub struct $name(pub(crate) u32);
 

@@ -93,7 +93,7 @@ pub fn lrs(triangulation: &Triangulation, expansion: Expansion) -> InitialPairin
 
 /// The contraction step: RS, vertices in the order of the file.
 fn contract(triangulation: &Triangulation, discipline: Discipline) -> Reduction {
-    let k = ShrinkingTriangulation::of(triangulation.clone());
+    let k = ShrinkingTriangulation::copy_of(triangulation);
     let order = (0..k.vertex_id_count()).map(VertexId::new);
     ramaswami_siqueira(k, order, discipline)
 }
