@@ -162,6 +162,7 @@ impl Run {
     /// be. O(n).
     pub(super) fn finish(self, input: &Triangulation) -> Expanded {
         let Self { k, marks, search, flips, places, .. } = self;
+        // Large, and not asked again: edges that are flipped back are found by their ends.
         drop(places);
         let limit = LAST_ROUNDS * input.triangle_count() / flips.len().max(1);
         let limit = limit.clamp(*LAST_LIMITS.start(), *LAST_LIMITS.end());

@@ -31,7 +31,8 @@ pub(super) struct Run {
     pub(super) flips: Vec<HalfEdgeId>,
 }
 
-/// A vertex v that has come back to its vertex u.
+/// A vertex v that has come back to its vertex u, with the names of [`Surroundings`]: before, [u, x]
+/// had the sides tb and ta, and [u, y] tc and td.
 struct Split {
     at: Surroundings,
     /// Number of edges at v.
