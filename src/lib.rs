@@ -18,9 +18,6 @@
 //! | [`quadrangulation`] | the quads, and a check that trusts nothing | section 2 |
 //! | [`simplify`] | fewer vertices, exactly as many as asked for, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |
-//! | `generate` | boxes, hierarchies and stand-ins, the papers' meshes by name (feature `generate`) | section 4 |
-//! | `experiment` | what is run and what is remembered of it (feature `experiment`) | section 4 |
-//! | `report` | tables, verdicts, plots, pictures, the page; the papers' printed numbers (feature `report`) | figures, tables |
 //!
 //! A module uses only what stands above it. One type per stage is the proof that the stage before
 //! was done: `FaceList → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.
@@ -33,18 +30,12 @@ pub mod convert;
 mod disjoint_sets;
 pub mod dual;
 pub mod dynamic;
-#[cfg(feature = "experiment")]
-pub mod experiment;
-#[cfg(feature = "generate")]
-pub mod generate;
 pub mod irreducible;
 pub mod mesh;
 pub mod pairing;
 mod prefetch;
 pub mod quadrangulation;
 pub mod random;
-#[cfg(feature = "report")]
-pub mod report;
 #[cfg(test)]
 mod samples;
 pub mod simplify;

@@ -146,6 +146,14 @@ impl Faces {
         }
     }
 
+    /// Returns the end of each face in [`Faces::corners`]; none if all faces have the same size.
+    pub fn ends(&self) -> Option<&[u32]> {
+        match &self.shape {
+            Shape::Uniform(_) => None,
+            Shape::Mixed(ends) => Some(ends),
+        }
+    }
+
     /// Where face `face` lies in [`Faces::corners`].
     pub fn range(&self, face: usize) -> std::ops::Range<usize> {
         match &self.shape {

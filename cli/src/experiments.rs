@@ -1,0 +1,100 @@
+//! What `plan` and `run` have in common: experiment files, data folders, scale, shard.
+
+use std::path::PathBuf;
+
+use triquad_lab::experiment::data::{self, DataMesh};
+use triquad_lab::experiment::estimate::Estimate;
+use triquad_lab::experiment::plan::Plan;
+use triquad_lab::experiment::spec::Experiment;
+use triquad_lab::meshes::paper::Scale;
+
+use crate::failure::Failure;
+use crate::names::one_of;
+
+/// Which runs.
+#[derive(clap::Args)]
+pub struct Selection {
+    /// What to run
+    #[arg(value_name = "EXPERIMENT.toml", required = true)]
+    files: Vec<PathBuf>,
+    /// How large the papers' meshes are made: full, small (a twentieth) or demo (a hundredth)
+    #[arg(long, default_value = "full", value_name = "SCALE", value_parser = one_of(Scale::ALL, Scale::id))]
+    scale: Scale,
+    /// A folder with meshes of your own: scans of the papers by name ('botijo.obj', 'eros.ply.gz' …),
+    /// others under the names of their files. May be given more than once
+    #[arg(long, value_name = "DIR")]
+    data: Vec<PathBuf>,
+    /// Only the I-th of N parts, of which another machine may take another
+    #[arg(long, value_name = "I/N", value_parser = parse_shard)]
+    shard: Option<(usize, usize)>,
+    /// Seconds after which a run is stopped, instead of what the experiment says
+    #[arg(long, value_name = "S", value_parser = clap::value_parser!(u64).range(1..))]
+    timeout: Option<u64>,
+}
+
+fn parse_shard(text: &str) -> Result<(usize, usize), String> {
+    let parts = text.split_once('/');
+    let numbers = parts.and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+    match numbers {
+        Some((i, n)) if (1..=n).contains(&i) => Ok((i, n)),
+        _ => Err("a shard is I/N with I from 1 to N, 2/8 for example".into()),
+    }
+}
+
+impl Selection {
+    /// The plan of the selected runs.
+    pub fn plan(&self) -> Result<Plan, Failure> {
+        let mut experiments = Vec::new();
+        for file in &self.files {
+            let read = Experiment::read(file);
+            experiments.push(read.map_err(|error| {
+                Failure::bad(format!(
+                    "{error}; see experiments/README.md for what such a file says"
+                ))
+            })?);
+        }
+        for experiment in &mut experiments {
+            if let Some(seconds) = self.timeout {
+                experiment.limits.timeout_seconds = seconds;
+            }
+        }
+        let plan = Plan::of(&experiments, self.scale, &self.data()?);
+        let mut plan = plan.map_err(|error| {
+            Failure::bad(format!("{error}; name its folder with --data, or take it out"))
+        })?;
+        if let Some((i, n)) = self.shard {
+            plan.shard(i, n);
+        }
+        Ok(plan)
+    }
+
+    fn data(&self) -> Result<Vec<DataMesh>, Failure> {
+        data::survey(&self.data).map_err(|(folder, error)| {
+            Failure::bad(format!(
+                "{}: {error}; --data names a folder with meshes",
+                folder.display()
+            ))
+        })
+    }
+}
+
+/// `3 min`, `2.5 GB`: an estimate in words.
+pub fn in_words(estimate: &Estimate) -> String {
+    let gigabytes = |bytes: f64| format!("{:.1} GB", bytes / 1e9);
+    format!(
+        "about {}, {} of memory, {} of disk",
+        duration(estimate.seconds),
+        gigabytes(estimate.memory_bytes),
+        gigabytes(estimate.disk_bytes),
+    )
+}
+
+/// `40 s`, `3 min`, `2 h 05 min`.
+pub fn duration(seconds: f64) -> String {
+    let minutes = (seconds / 60.0).round() as u64;
+    match minutes {
+        _ if seconds < 90.0 => format!("{seconds:.0} s"),
+        0..=119 => format!("{minutes} min"),
+        _ => format!("{} h {:02} min", minutes / 60, minutes % 60),
+    }
+}

@@ -1,0 +1,183 @@
+//! `triquad generate`.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use triquad::clock::{Clock, SystemClock};
+use triquad::mesh::Output;
+use triquad::simplify::Shape;
+use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
+use triquad_lab::meshes::{BoxShape, Cache, GenerateError, Recipe};
+
+use crate::failure::Failure;
+use crate::names::one_of;
+use crate::progress::StatusLine;
+use crate::{input, stdio};
+
+/// Make a mesh of chosen size and genus: a box with shafts, a stand-in for a scan, one of the papers'
+///
+/// The same arguments make the same bytes on every machine.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  triquad generate box --vertices 5000 --cavities 20 --holes 5 -o box.obj\n  \
+                  triquad generate stand-in --vertices 20000 --genus 5 --seed 1 -o blob.ply\n  \
+                  triquad generate paper A1 -o a1.obj"
+)]
+pub struct Arguments {
+    #[command(subcommand)]
+    kind: Kind,
+}
+
+#[derive(Subcommand)]
+enum Kind {
+    Box(BoxArguments),
+    StandIn(StandInArguments),
+    Paper(PaperArguments),
+}
+
+/// A box with a square array of square shafts, each a cavity or a hole
+///
+/// Nearly all vertices have degree 6. The genus is the number of holes.
+#[derive(Args)]
+#[command(after_help = "Example: triquad generate box --vertices 5000 --holes 16 -o box.obj")]
+struct BoxArguments {
+    /// Number of vertices, met exactly
+    #[arg(long, value_name = "V")]
+    vertices: u32,
+    /// Shafts that end inside the box
+    #[arg(long, value_name = "C", default_value_t = 0)]
+    cavities: u32,
+    /// Shafts that go through: the genus
+    #[arg(long, value_name = "H", default_value_t = 0)]
+    holes: u32,
+    /// Taken for the sake of uniformity: nothing about a box is random
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    #[command(flatten)]
+    target: Target,
+}
+
+/// An organic surface with the irregular connectivity of a simplified scan
+///
+/// A smooth random surface of at least three times as many vertices, simplified. Kept in the cache.
+#[derive(Args)]
+#[command(after_help = "Example: triquad generate stand-in --vertices 20000 --genus 5 -o blob.obj")]
+struct StandInArguments {
+    /// Number of vertices, met exactly
+    #[arg(long, value_name = "V")]
+    vertices: u32,
+    /// Genus
+    #[arg(long, value_name = "G")]
+    genus: u32,
+    /// Seed of the shape; the same seed gives the same bytes
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    #[command(flatten)]
+    target: Target,
+    #[command(flatten)]
+    cache: CacheOption,
+}
+
+/// A mesh with the vertices, edges, triangles and genus of one of the papers' meshes
+///
+/// A and B are the boxes of Table 4.2 of the comparison paper and their simplifications; ir-B, ir-C
+/// and ir-D those of Tables 3 to 5 of the paper on irreducible triangulations. Scans are stand-ins:
+/// the numbers are those of the scan, the shape is not. What is simplified is kept in the cache.
+#[derive(Args)]
+#[command(after_help = "Example: triquad generate paper ir-B4 -o ir-b4.ply")]
+struct PaperArguments {
+    /// The mesh
+    #[arg(value_name = "NAME", value_parser = one_of(paper::ALL, |mesh| mesh.name))]
+    mesh: PaperMesh,
+    /// How large: full, small (a twentieth) or demo (a hundredth)
+    #[arg(long, default_value = "full", value_name = "SCALE", value_parser = one_of(Scale::ALL, Scale::id))]
+    scale: Scale,
+    #[command(flatten)]
+    target: Target,
+    #[command(flatten)]
+    cache: CacheOption,
+}
+
+#[derive(Args)]
+struct Target {
+    /// Where the mesh goes: .obj .ply .off, each also with .gz; '-' writes OBJ to standard output
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+}
+
+#[derive(Args)]
+pub struct CacheOption {
+    /// Where meshes are kept that take long to make [default: 'triquad' in the user's folder for caches]
+    #[arg(long, value_name = "DIR", env = "TRIQUAD_CACHE")]
+    cache: Option<PathBuf>,
+}
+
+/// Makes and writes.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.kind {
+        Kind::Box(wanted) => {
+            let BoxArguments { vertices, cavities, holes, .. } = *wanted;
+            let recipe = Recipe::Box(BoxShape { cavities, holes, vertices });
+            make(&recipe, holes, &wanted.target.output, None)
+        }
+        Kind::StandIn(wanted) => {
+            let StandInArguments { vertices, genus, seed, .. } = *wanted;
+            let recipe = Recipe::StandIn { vertices, genus, seed };
+            make(&recipe, genus, &wanted.target.output, wanted.cache.folder().map(Cache::new))
+        }
+        Kind::Paper(wanted) => {
+            let PaperMesh { recipe, genus, .. } = wanted.mesh.at(wanted.scale);
+            make(&recipe, genus, &wanted.target.output, wanted.cache.folder().map(Cache::new))
+        }
+    }
+}
+
+impl CacheOption {
+    /// Where the cache is, if there is a place for one.
+    pub fn folder(&self) -> Option<PathBuf> {
+        let usual = || dirs::cache_dir().map(|folder| folder.join("triquad"));
+        self.cache.clone().or_else(usual)
+    }
+}
+
+fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Result<(), Failure> {
+    let clock = SystemClock::default();
+    let output = Output::create(path).map_err(|error| input::mesh_failure(path, &error))?;
+    let status = StatusLine::new("making the mesh");
+    let (made, make_seconds) = clock.time(|| match &cache {
+        Some(cache) => cache.get(recipe),
+        None => recipe.make(),
+    });
+    let list = made.map_err(|error| failure(recipe, &error))?;
+    status.say("writing the mesh");
+    let shape = Shape::of(&list);
+    let (written, write_seconds) = clock.time(|| output.write(&list));
+    written.map_err(|error| input::mesh_failure(path, &error))?;
+    drop(status);
+    let line = format!(
+        "{}: {} vertices, {} triangles, genus {genus}; largest degree {}, angles {:.1} to {:.1} \
+         degrees; made in {make_seconds:.3} s, written in {write_seconds:.3} s",
+        path.display(),
+        list.positions.len(),
+        list.faces.len(),
+        shape.largest_degree,
+        shape.smallest_angle(),
+        shape.largest_angle(),
+    );
+    if path.as_os_str() == "-" {
+        stdio::complain(&line);
+        return Ok(());
+    }
+    stdio::say(&line)
+}
+
+fn failure(recipe: &Recipe, error: &GenerateError) -> Failure {
+    let remedy = match error {
+        GenerateError::Box(_) => "ask for another number of vertices",
+        GenerateError::TooLarge { .. } => "ask for fewer vertices or a smaller genus",
+        GenerateError::Simplify(_) => "ask for more vertices",
+        GenerateError::Cache { .. } => "check its permissions, or name another folder with --cache",
+        _ => "ask for another mesh",
+    };
+    Failure::bad(format!("{}: {error}; {remedy}", recipe.key()))
+}

@@ -1,0 +1,135 @@
+//! The command-line tool: parses arguments, calls the library, prints.
+//!
+//! The verbs of the command line, one file each.
+//!
+//! Exit codes: 0 done; 1 a check said no; 2 bad input or usage, with one line on standard error that
+//! names the file, the place, the law and the remedy.
+
+mod check;
+mod compare;
+mod convert;
+mod experiments;
+mod failure;
+mod generate;
+#[cfg(target_os = "linux")]
+mod huge_pages;
+mod info;
+mod input;
+mod irreducible;
+mod machine;
+mod merge;
+mod names;
+mod pictures;
+mod plan;
+mod progress;
+mod report;
+mod run;
+mod simplify;
+mod stdio;
+mod targets;
+
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{Parser, Subcommand};
+
+#[cfg(target_os = "linux")]
+#[global_allocator]
+static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
+
+/// All-quadrilateral meshes from triangle meshes of closed surfaces.
+///
+/// Pairs up edge-adjacent triangles so that none is left over and removes the edge between the two
+/// of each pair: every vertex stays where it is, every other edge stays, and every face is a quad.
+/// That always works on a closed surface (Petersen's theorem).
+#[derive(Parser)]
+#[command(
+    version,
+    after_help = "Formats: .obj .ply .off .stl (read only), each also with .gz; '-' is OBJ on standard \
+                  input or output.\nExit codes: 0 done, 1 a check said no, 2 bad input or usage.\n\n\
+                  Example: triquad convert bunny.obj -o bunny-quads.obj"
+)]
+struct Arguments {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    Convert(convert::Arguments),
+    Irreducible(irreducible::Arguments),
+    Check(check::Arguments),
+    Info(info::Arguments),
+    Generate(generate::Arguments),
+    Simplify(simplify::Arguments),
+    Plan(plan::Arguments),
+    Run(run::Arguments),
+    Merge(merge::Arguments),
+    Report(report::Arguments),
+    Compare(compare::Arguments),
+}
+
+/// A run of an experiment ends with the process that started it, even if that is killed.
+fn end_with_parent() {
+    #[cfg(target_os = "linux")]
+    if std::env::var_os(triquad_lab::experiment::process::RUN_VARIABLE).is_some() {
+        use rustix::process::{Signal, set_parent_process_death_signal};
+        // Without it a run of a killed experiment ends when it is done.
+        let _ = set_parent_process_death_signal(Some(Signal::KILL));
+    }
+}
+
+/// Runs the verb that the arguments name.
+fn main() -> ExitCode {
+    end_with_parent();
+    // An interrupted process leaves no half-written file; what is finished stays.
+    let handler = || {
+        triquad::atomic_file::abandon_all();
+        std::process::exit(triquad_lab::experiment::process::INTERRUPTED);
+    };
+    if let Err(error) = ctrlc::set_handler(handler) {
+        stdio::complain(&format!("interrupts will not be cleaned up after: {error}"));
+    }
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return explain_usage(&error),
+    };
+    let result = match arguments.verb {
+        Verb::Convert(arguments) => convert::run(&arguments),
+        Verb::Irreducible(arguments) => irreducible::run(&arguments),
+        Verb::Check(arguments) => check::run(&arguments),
+        Verb::Info(arguments) => info::run(&arguments),
+        Verb::Generate(arguments) => generate::run(&arguments),
+        Verb::Simplify(arguments) => simplify::run(&arguments),
+        Verb::Plan(arguments) => plan::run(&arguments),
+        Verb::Run(arguments) => run::run(&arguments),
+        Verb::Merge(arguments) => merge::run(&arguments),
+        Verb::Report(arguments) => report::run(&arguments),
+        Verb::Compare(arguments) => compare::run(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            stdio::complain(&failure.message);
+            ExitCode::from(failure.code)
+        }
+    }
+}
+
+/// Prints help as it is, and what is wrong with the arguments in one line.
+fn explain_usage(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        // Nobody left to read the help is no failure.
+        let _ = error.print();
+        return ExitCode::SUCCESS;
+    }
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let _ = error.print();
+        return ExitCode::from(2);
+    }
+    let text = error.to_string();
+    let first = text.split("\n\n").next().unwrap_or_default();
+    let words: Vec<&str> = first.trim_start_matches("error: ").split_whitespace().collect();
+    stdio::complain(&format!("{}; 'triquad --help' explains", words.join(" ")));
+    ExitCode::from(2)
+}

@@ -1,0 +1,82 @@
+//! `triquad plan`.
+
+use std::fmt::Write as _;
+
+use triquad_lab::experiment::estimate::{Estimate, run_seconds};
+use triquad_lab::experiment::plan::{Block, Plan};
+
+use crate::experiments::{Selection, duration, in_words};
+use crate::failure::Failure;
+use crate::stdio;
+
+/// Show what an experiment would run, and how long it may take
+#[derive(clap::Args)]
+#[command(after_help = "Example: triquad plan experiments/comparison.toml --scale small")]
+pub struct Arguments {
+    #[command(flatten)]
+    selection: Selection,
+}
+
+/// Prints the matrix.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let plan = arguments.selection.plan()?;
+    for remark in &plan.remarks {
+        stdio::complain(remark);
+    }
+    stdio::say(&matrix(&plan))
+}
+
+fn matrix(plan: &Plan) -> String {
+    let mut text = String::new();
+    let mut heading = String::new();
+    for block in plan.blocks.iter().filter(|block| is_first(plan, block)) {
+        let group = format!("{} / {}", block.experiment, block.group);
+        if group != heading {
+            let _ = writeln!(text, "{group}");
+            heading = group;
+        }
+        let seconds: f64 = same_mesh(plan, block)
+            .flat_map(|block| block.runs.iter().map(|run| run_seconds(&block.mesh, run)))
+            .sum();
+        let mesh = &block.mesh;
+        let _ = writeln!(
+            text,
+            "  {:<28} {:<10} {:>9} triangles, genus {:<5} {:>9}  {}",
+            mesh.name,
+            mesh.kind(),
+            mesh.triangles,
+            mesh.genus,
+            duration(seconds),
+            jobs(block),
+        );
+    }
+    let runs: usize = plan.blocks.iter().map(|block| block.runs.len()).sum();
+    let _ = write!(text, "{runs} runs: {}", in_words(&Estimate::of(plan)));
+    text
+}
+
+fn same_mesh<'a>(plan: &'a Plan, block: &'a Block) -> impl Iterator<Item = &'a Block> {
+    plan.blocks.iter().filter(move |other| {
+        (&other.experiment, &other.group, &other.mesh.name)
+            == (&block.experiment, &block.group, &block.mesh.name)
+    })
+}
+
+fn is_first(plan: &Plan, block: &Block) -> bool {
+    same_mesh(plan, block).next().is_some_and(|first| std::ptr::eq(first, block))
+}
+
+/// `10 x sg tarjan, 1 x gw local (stopped after 9 paths)`.
+fn jobs(block: &Block) -> String {
+    let mut jobs: Vec<String> = block
+        .runs
+        .iter()
+        .map(|run| {
+            let stopped = run.stop_after_paths.map(|paths| format!(" (first {paths} paths)"));
+            let stopped = stopped.unwrap_or_default();
+            format!("{} x {}{stopped}", run.repetitions, run.job.label())
+        })
+        .collect();
+    jobs.sort();
+    jobs.join(", ")
+}

@@ -1,0 +1,135 @@
+//! The files that a verb writes: opened before the work starts, complete or absent afterwards.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use triquad::atomic_file::AtomicFile;
+use triquad::mesh::{FaceList, Output};
+
+use crate::failure::Failure;
+use crate::{input, stdio};
+
+/// What is read and what is written; `-` is standard input or output.
+#[derive(Clone, Copy)]
+pub struct Paths<'a> {
+    pub input: &'a Path,
+    pub output: Option<&'a Path>,
+    /// A second mesh: triangles.
+    pub triangles: Option<&'a Path>,
+    pub stats: Option<&'a Path>,
+}
+
+/// Meshes and statistics to be written.
+pub struct Targets<'a> {
+    paths: Paths<'a>,
+    mesh: Option<Output>,
+    triangles: Option<Output>,
+    stats: Option<AtomicFile>,
+}
+
+impl<'a> Targets<'a> {
+    /// Makes sure that the files can be written and are not each other.
+    pub fn open(paths: Paths<'a>) -> Result<Self, Failure> {
+        refuse_shared_files(paths)?;
+        let open_mesh =
+            |path: &Path| Output::create(path).map_err(|error| input::mesh_failure(path, &error));
+        let open_stats =
+            |path: &Path| AtomicFile::create(path).map_err(|error| stats_failure(path, &error));
+        Ok(Self {
+            paths,
+            mesh: paths.output.map(open_mesh).transpose()?,
+            triangles: paths.triangles.map(open_mesh).transpose()?,
+            stats: paths.stats.filter(|&path| !is_stdio(path)).map(open_stats).transpose()?,
+        })
+    }
+
+    /// Writes the mesh, if it was asked for.
+    pub fn write_mesh(&mut self, mesh: &FaceList) -> Result<(), Failure> {
+        write_to(self.mesh.take(), self.paths.output, mesh)
+    }
+
+    /// Writes the triangles, if they were asked for.
+    pub fn write_triangles(&mut self, mesh: &FaceList) -> Result<(), Failure> {
+        write_to(self.triangles.take(), self.paths.triangles, mesh)
+    }
+
+    /// Writes the statistics as JSON, if they were asked for.
+    pub fn write_stats(&mut self, stats: &impl Serialize) -> Result<(), Failure> {
+        let Some(path) = self.paths.stats else { return Ok(()) };
+        let json = serde_json::to_string_pretty(stats)
+            .map_err(|error| Failure::bad(format!("{}: {error}", path.display())))?;
+        match self.stats.take() {
+            None => stdio::say(&json),
+            Some(mut file) => {
+                let written = writeln!(file, "{json}").and_then(|()| file.commit());
+                written.map_err(|error| stats_failure(path, &error))
+            }
+        }
+    }
+
+    /// Says the summary where it does not mix with what was asked for on standard output.
+    pub fn report(&self, line: &str) -> Result<(), Failure> {
+        let Paths { output, triangles, stats, .. } = self.paths;
+        if [output, triangles, stats].into_iter().flatten().any(is_stdio) {
+            stdio::complain(line);
+            Ok(())
+        } else {
+            stdio::say(line)
+        }
+    }
+}
+
+fn write_to(output: Option<Output>, path: Option<&Path>, mesh: &FaceList) -> Result<(), Failure> {
+    let (Some(output), Some(path)) = (output, path) else { return Ok(()) };
+    output.write(mesh).map_err(|error| input::mesh_failure(path, &error))
+}
+
+/// What is written may not mix, and statistics may not replace the input.
+fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
+    let same = |a: &Path, b: &Path| identity(a).is_some_and(|one| Some(one) == identity(b));
+    let Paths { output, triangles, stats, .. } = paths;
+    let options = [("-o", output), ("--write-triangulation", triangles), ("--stats", stats)];
+    let targets: Vec<_> =
+        options.into_iter().filter_map(|(option, path)| Some((option, path?))).collect();
+    for (i, &(option, one)) in targets.iter().enumerate() {
+        for &(other, path) in &targets[i + 1..] {
+            if is_stdio(one) && is_stdio(path) {
+                return Err(Failure::bad(format!(
+                    "{option} - and {other} - would mix on standard output; send one of them to a file"
+                )));
+            }
+            if !is_stdio(path) && same(one, path) {
+                return Err(overwritten(other, path));
+            }
+        }
+    }
+    match paths.stats {
+        Some(stats) if !is_stdio(stats) && same(paths.input, stats) => {
+            Err(overwritten("--stats", stats))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn overwritten(option: &str, path: &Path) -> Failure {
+    let problem = "would overwrite the mesh of the same name; give it a file of its own";
+    Failure::bad(format!("{}: {option} {problem}", path.display()))
+}
+
+/// The file that `path` means, whichever way there it takes.
+fn identity(path: &Path) -> Option<PathBuf> {
+    let through_folder = || {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        Some(folder.unwrap_or(Path::new(".")).canonicalize().ok()?.join(path.file_name()?))
+    };
+    path.canonicalize().ok().or_else(through_folder)
+}
+
+fn is_stdio(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+fn stats_failure(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::bad(format!("{}: {error}; check the path and its permissions", path.display()))
+}

@@ -1,0 +1,13 @@
+//! Tests of the program `triquad`, as a user calls it.
+
+mod defective_meshes;
+mod experiments;
+#[path = "../../../lab/tests/lab/records.rs"]
+mod records;
+mod repeatable;
+mod report_files;
+mod results;
+#[cfg(target_os = "linux")]
+mod slurm;
+mod surfaces;
+mod verbs;

@@ -1,0 +1,20 @@
+//! What two runs of the same have in common.
+
+use triquad_lab::experiment::RunRecord;
+
+/// A record without what may differ between two runs of the same: times, memory, machine.
+pub fn repeatable(record: &RunRecord) -> RunRecord {
+    RunRecord {
+        machine: String::new(),
+        process_seconds: 0.0,
+        read_seconds: None,
+        build_seconds: None,
+        pairing_seconds: None,
+        augmentation_seconds: None,
+        total_seconds: None,
+        seconds: None,
+        check_seconds: None,
+        peak_memory_bytes: None,
+        ..record.clone()
+    }
+}

@@ -1,0 +1,281 @@
+//! Experiment files: which meshes, which algorithms, how often, within what limits.
+//!
+//! ```toml
+//! name = "comparison"
+//! title = "Four algorithms that turn triangulations into quadrangulations"
+//! task = "convert"                        # or "irreducible"
+//! seed = 1
+//! pictures = "botijo"                     # the mesh whose quads are drawn
+//!
+//! [limits]
+//! timeout_seconds = 900
+//! memory_gigabytes = 12
+//!
+//! [[group]]
+//! name = "scans"
+//! meshes = ["botijo", "eros"]             # of the papers, or files in a data folder
+//!
+//! [[group.run]]
+//! algorithms = ["sg", "lrs few-flips"]
+//! augmentations = ["tarjan", "local"]
+//! repetitions = { full = 10, small = 10, demo = 3 }
+//! fewer = { eros = 2 }                    # at full scale
+//! stop_after_paths = { eros = 2000 }      # at full scale: the rest is extrapolated
+//! ```
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use super::job::Job;
+use crate::meshes::paper::Scale;
+use triquad::augmentation::Augmentation;
+use triquad::irreducible::{Method, Order};
+use triquad::pairing::{Algorithm, Expansion};
+
+/// An experiment file.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Experiment {
+    /// Its name in records.
+    pub name: String,
+    /// What it is about, in a line.
+    pub title: String,
+    /// What its runs do.
+    pub task: Task,
+    /// Master seed.
+    pub seed: u64,
+    /// The mesh whose results are drawn.
+    pub pictures: Option<String>,
+    /// When a run is stopped.
+    pub limits: Limits,
+    /// Meshes and what is run on them.
+    #[serde(rename = "group")]
+    pub groups: Vec<Group>,
+}
+
+/// What the runs of an experiment do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Task {
+    /// Quadrangulations.
+    Convert,
+    /// Irreducible triangulations.
+    Irreducible,
+}
+
+/// When a run is stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Limits {
+    /// Wall-clock time of its process.
+    pub timeout_seconds: u64,
+    /// Address space of its process.
+    pub memory_gigabytes: u64,
+}
+
+/// Meshes of like shape, and what is run on each.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Group {
+    /// Its name in records.
+    pub name: String,
+    /// Names of meshes, in any order.
+    #[serde(default)]
+    pub meshes: Vec<String>,
+    /// Whether every other mesh in the data folders belongs to it.
+    #[serde(default)]
+    pub other_data: bool,
+    /// What is run.
+    #[serde(rename = "run")]
+    pub runs: Vec<RunSpec>,
+}
+
+/// Algorithms that are run alike.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RunSpec {
+    /// Their names; a variant follows after a space.
+    pub algorithms: Vec<String>,
+    /// For conversions.
+    #[serde(default)]
+    pub augmentations: Vec<String>,
+    /// For irreducible triangulations.
+    #[serde(default)]
+    pub orders: Vec<String>,
+    /// How often, by scale.
+    pub repetitions: Repetitions,
+    /// How often instead for some meshes, at full scale.
+    #[serde(default)]
+    pub fewer: BTreeMap<String, u32>,
+    /// Augmenting paths after which to stop for some meshes, at full scale.
+    #[serde(default)]
+    pub stop_after_paths: BTreeMap<String, u64>,
+}
+
+/// How often something is run at each scale.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Repetitions {
+    /// As large as in the papers.
+    pub full: u32,
+    /// A twentieth.
+    pub small: u32,
+    /// A hundredth.
+    pub demo: u32,
+}
+
+/// What is wrong with an experiment file.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {problem}", path.display())]
+pub struct SpecError {
+    path: PathBuf,
+    problem: String,
+}
+
+impl Experiment {
+    /// Reads the file at `path`.
+    ///
+    /// # Errors
+    /// It cannot be read, is no TOML, or names something unknown.
+    pub fn read(path: &Path) -> Result<Self, SpecError> {
+        let failure = |problem: String| SpecError { path: path.to_owned(), problem };
+        let text = std::fs::read_to_string(path).map_err(|error| failure(error.to_string()))?;
+        Self::parse(&text).map_err(failure)
+    }
+
+    /// Understands the text of an experiment file.
+    fn parse(text: &str) -> Result<Self, String> {
+        let parsed: Result<Self, toml::de::Error> = toml::from_str(text);
+        let experiment = parsed.map_err(|error| {
+            let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
+            format!("line {line}: {}", error.message())
+        })?;
+        for run in experiment.groups.iter().flat_map(|group| &group.runs) {
+            run.jobs(experiment.task)?;
+        }
+        Ok(experiment)
+    }
+}
+
+impl RunSpec {
+    /// What is run, every algorithm in every way.
+    pub(super) fn jobs(&self, task: Task) -> Result<Vec<Job>, String> {
+        let mut jobs = Vec::new();
+        for name in &self.algorithms {
+            match task {
+                Task::Convert => {
+                    let algorithm = conversion(name)?;
+                    for way in &self.augmentations {
+                        let augmentation = find(Augmentation::ALL, Augmentation::id, way)?;
+                        jobs.push(Job::Convert { algorithm, augmentation });
+                    }
+                }
+                Task::Irreducible => {
+                    let method = find(Method::ALL, Method::id, name)?;
+                    for order in &self.orders {
+                        jobs.push(Job::Reduce {
+                            method,
+                            order: find(Order::ALL, Order::id, order)?,
+                        });
+                    }
+                }
+            }
+        }
+        if jobs.is_empty() {
+            let list = if task == Task::Convert { "augmentations" } else { "orders" };
+            return Err(format!("a run of {:?} needs algorithms and {list}", self.algorithms));
+        }
+        Ok(jobs)
+    }
+
+    /// How often something is run on `mesh` at `scale`.
+    pub(super) fn repetitions(&self, mesh: &str, scale: Scale) -> u32 {
+        match scale {
+            Scale::Full => self.fewer.get(mesh).copied().unwrap_or(self.repetitions.full),
+            Scale::Small => self.repetitions.small,
+            Scale::Demo => self.repetitions.demo,
+        }
+    }
+
+    /// After how many augmenting paths a run on `mesh` at `scale` stops.
+    pub(super) fn stop_after_paths(&self, mesh: &str, scale: Scale) -> Option<u64> {
+        self.stop_after_paths.get(mesh).copied().filter(|_| scale == Scale::Full)
+    }
+}
+
+/// The algorithm that `name` means, `lrs few-flips` for example.
+fn conversion(name: &str) -> Result<Algorithm, String> {
+    match name.split_once(' ') {
+        Some(("lrs", variant)) => Ok(Algorithm::Lrs(find(Expansion::ALL, Expansion::id, variant)?)),
+        _ => find(Algorithm::ALL, Algorithm::id, name),
+    }
+}
+
+fn find<T: Copy, const N: usize>(
+    all: [T; N],
+    id: fn(T) -> &'static str,
+    name: &str,
+) -> Result<T, String> {
+    all.into_iter()
+        .find(|&one| id(one) == name)
+        .ok_or_else(|| format!("{name:?} is none of {}", all.map(id).join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = r#"
+        name = "a"
+        title = "b"
+        task = "convert"
+        seed = 1
+        [limits]
+        timeout_seconds = 9
+        memory_gigabytes = 2
+        [[group]]
+        name = "g"
+        meshes = ["A1"]
+        [[group.run]]
+        algorithms = ["ps", "lrs few-flips"]
+        augmentations = ["tarjan", "local"]
+        repetitions = { full = 10, small = 5, demo = 2 }
+        fewer = { A1 = 3 }
+        stop_after_paths = { A1 = 7 }
+    "#;
+
+    #[test]
+    fn a_file_says_what_is_run_how_often() {
+        let experiment = Experiment::parse(TEXT).unwrap();
+        let run = &experiment.groups[0].runs[0];
+        let jobs = run.jobs(experiment.task).unwrap();
+        let few = Algorithm::Lrs(Expansion::FewFlips);
+        assert_eq!(jobs.len(), 4);
+        assert_eq!(jobs[3], Job::Convert { algorithm: few, augmentation: Augmentation::Local });
+        let often = |mesh, scale| run.repetitions(mesh, scale);
+        assert_eq!(
+            [often("A1", Scale::Full), often("A2", Scale::Full), often("A1", Scale::Demo)],
+            [3, 10, 2]
+        );
+        assert_eq!(run.stop_after_paths("A1", Scale::Full), Some(7));
+        assert_eq!(run.stop_after_paths("A1", Scale::Small), None);
+        assert_eq!(run.stop_after_paths("A2", Scale::Full), None);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_line() {
+        let problem = |from: &str, to: &str| {
+            assert!(TEXT.contains(from));
+            Experiment::parse(&TEXT.replace(from, to)).unwrap_err()
+        };
+        assert!(problem("seed = 1", "seed = -1").starts_with("line 5: "));
+        assert!(problem("seed", "sed").contains("unknown field `sed`"));
+        assert_eq!(problem("\"ps\"", "\"xx\""), "\"xx\" is none of tq, sg, ps, ds, gw, lrs");
+        assert_eq!(problem("few-flips", "none"), "\"none\" is none of printed, few-flips");
+        assert_eq!(problem("\"local\"", "\"far\""), "\"far\" is none of local, tarjan");
+        let nothing = problem("augmentations = [\"tarjan\", \"local\"]", "orders = [\"file\"]");
+        assert!(nothing.contains("needs algorithms and augmentations"), "{nothing}");
+    }
+}

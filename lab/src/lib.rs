@@ -1,0 +1,5 @@
+//! placeholder
+
+pub mod experiment;
+pub mod meshes;
+pub mod report;

@@ -1,0 +1,119 @@
+//! Generated meshes kept in a folder, so that none is made twice.
+
+use std::path::PathBuf;
+
+use super::paper::{self, PaperMesh, Scale};
+use super::{BoxShape, GenerateError, Recipe, into_list, simplified};
+use triquad::mesh::{self, FaceList, MeshError, Output};
+
+/// Increased whenever a recipe's bytes change: what was kept before is then no longer found.
+const EDITION: u32 = 2;
+
+/// A folder of generated meshes, each under the key of its recipe.
+///
+/// Only what takes longer to make than to read is kept: not the boxes themselves.
+#[derive(Clone, Debug)]
+pub struct Cache {
+    folder: PathBuf,
+}
+
+impl Cache {
+    /// The cache in `folder`, which is made when it is needed.
+    pub fn new(folder: impl Into<PathBuf>) -> Self {
+        Self { folder: folder.into() }
+    }
+
+    /// The mesh of `recipe`, read if it is there, else made and kept.
+    ///
+    /// Of the papers' hierarchies, every mesh passed on the way to a smaller one is kept too.
+    ///
+    /// # Errors
+    /// There is no such mesh, or it could not be kept.
+    pub fn get(&self, recipe: &Recipe) -> Result<FaceList, GenerateError> {
+        if !recipe.is_costly() {
+            return recipe.make();
+        }
+        // What cannot be read, damaged perhaps, is made anew.
+        if let Ok(list) = mesh::read(&self.file(recipe)) {
+            return Ok(list);
+        }
+        // Before the work starts, so that it is not in vain.
+        let output = self.open(recipe)?;
+        let list = match *recipe {
+            Recipe::SimplifiedBox { of, vertices } => {
+                self.make(of, &on_the_way(of, vertices), vertices)?
+            }
+            _ => recipe.make()?,
+        };
+        output.write(&list).map_err(|error| self.failure(error))?;
+        Ok(list)
+    }
+
+    /// The file in which the mesh of `recipe` is kept.
+    pub fn file(&self, recipe: &Recipe) -> PathBuf {
+        self.folder.join(format!("{}-e{EDITION}.ply", recipe.key()))
+    }
+
+    fn open(&self, recipe: &Recipe) -> Result<Output, GenerateError> {
+        let folder = std::fs::create_dir_all(&self.folder).map_err(MeshError::from);
+        folder
+            .and_then(|()| Output::create(&self.file(recipe)))
+            .map_err(|error| self.failure(error))
+    }
+
+    fn failure(&self, error: MeshError) -> GenerateError {
+        GenerateError::Cache { folder: self.folder.clone(), error }
+    }
+
+    /// Simplifies a box to `vertices`, and keeps what it is at each of `stops`, descending.
+    fn make(&self, of: BoxShape, stops: &[u32], vertices: u32) -> Result<FaceList, GenerateError> {
+        simplified(&into_list(of.surface()?), stops, vertices, |stop, list| {
+            let output = self.open(&Recipe::SimplifiedBox { of, vertices: stop })?;
+            output.write(&list).map_err(|error| self.failure(error))
+        })
+    }
+}
+
+/// The papers' meshes simplified from a box that have more than `vertices`, descending.
+fn on_the_way(of: BoxShape, vertices: u32) -> Vec<u32> {
+    let passed = |mesh: PaperMesh| match mesh.recipe {
+        Recipe::SimplifiedBox { of: other, vertices } if other == of => Some(vertices),
+        _ => None,
+    };
+    let meshes = Scale::ALL.into_iter().flat_map(|scale| paper::ALL.map(|mesh| mesh.at(scale)));
+    let mut stops: Vec<u32> = meshes.filter_map(passed).collect();
+    stops.retain(|&stop| stop > vertices);
+    stops.sort_unstable_by(|a, b| b.cmp(a));
+    stops.dedup();
+    stops
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_way_to_a_mesh_leads_through_all_larger_ones_of_its_box() {
+        let recipe = |name| paper::named(name).unwrap().recipe;
+        let (Recipe::Box(a1), Recipe::Box(b1)) = (recipe("A1"), recipe("B1")) else {
+            panic!("they are boxes");
+        };
+        assert_eq!(on_the_way(a1, 745_697), [1_097_150, 991_416]);
+        assert_eq!(on_the_way(b1, 604_150), [1_104_150, 994_979, 748_496]);
+        assert!(on_the_way(BoxShape { holes: 7, ..a1 }, 10).is_empty());
+    }
+
+    #[test]
+    fn what_is_kept_on_the_way_is_what_would_be_made() {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = Cache::new(folder.path());
+        let of = BoxShape { cavities: 2, holes: 2, vertices: 700 };
+        let smallest = cache.make(of, &[500, 300], 200).unwrap();
+        let made = |vertices| Recipe::SimplifiedBox { of, vertices }.make().unwrap();
+        assert_eq!(smallest, made(200));
+        for stop in [500, 300] {
+            let kept = cache.file(&Recipe::SimplifiedBox { of, vertices: stop });
+            assert_eq!(mesh::read(&kept).unwrap(), made(stop));
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Meshes made to order: the boxes of both papers, what simplification makes of them, and stand-ins
+//! for scans that are not at hand.
+//!
+//! A [`Recipe`] fixes every byte of its mesh. [`paper`] knows the recipes of the papers' meshes by
+//! name, and a [`Cache`] makes each mesh once.
+
+mod cache;
+pub mod paper;
+
+pub use cache::Cache;
+pub use triquad_generators::box_mesh::{BoxShape, ImpossibleBox};
+
+use std::path::PathBuf;
+
+use triquad_generators::{Surface, organic};
+
+use triquad::mesh::{FaceList, MeshError};
+use triquad::random::Random;
+use triquad::simplify::{Simplifier, SimplifyError};
+use triquad::triangulation::Triangulation;
+
+/// How often at least a stand-in's source has the vertices that are left of it.
+const OVERSAMPLING: u64 = 3;
+
+/// What mesh is wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recipe {
+    /// A box with shafts (Lemos et al., section 4; Ramaswami-Siqueira, section 5.1).
+    Box(BoxShape),
+    /// A box simplified to so many vertices.
+    SimplifiedBox {
+        /// The box.
+        of: BoxShape,
+        /// Vertices that are left.
+        vertices: u32,
+    },
+    /// A surface like a scan: smooth, irregular, simplified from three times as many vertices or from
+    /// the fewest that resolve its shape ([`organic::minimum_vertices`]), whichever is more.
+    StandIn {
+        /// Vertices that are left.
+        vertices: u32,
+        /// Genus.
+        genus: u32,
+        /// Seed of its shape.
+        seed: u64,
+    },
+}
+
+/// Why a mesh cannot be made.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GenerateError {
+    /// There is no such box.
+    #[error("{0}")]
+    Box(#[from] ImpossibleBox),
+    /// Simplification cannot get there.
+    #[error("{0}")]
+    Simplify(#[from] SimplifyError),
+    /// A stand-in's source would have too many half-edges.
+    #[error("the stand-in would be simplified from {half_edges} half-edges, more than 2^31")]
+    TooLarge {
+        /// How many it would have.
+        half_edges: u64,
+    },
+    /// The cache could not be written.
+    #[error("the cache in {}: {error}", folder.display())]
+    Cache {
+        /// Where the cache is.
+        folder: PathBuf,
+        /// What is wrong.
+        error: MeshError,
+    },
+}
+
+impl Recipe {
+    /// Makes the mesh. Linear time for a box; simplification takes O(n log n) for the n vertices that
+    /// it begins with.
+    ///
+    /// # Errors
+    /// There is no such mesh, and why.
+    pub fn make(&self) -> Result<FaceList, GenerateError> {
+        match *self {
+            Self::Box(shape) => Ok(into_list(shape.surface()?)),
+            Self::SimplifiedBox { of, vertices } => {
+                simplified(&into_list(of.surface()?), &[], vertices, |_, _| Ok(()))
+            }
+            Self::StandIn { vertices, genus, seed } => {
+                simplified(&stand_in_source(vertices, genus, seed)?, &[], vertices, |_, _| Ok(()))
+            }
+        }
+    }
+
+    /// A name that no other recipe has, fit for a file.
+    pub fn key(&self) -> String {
+        let of_box = |b: BoxShape| format!("box-{}-{}-{}", b.vertices, b.cavities, b.holes);
+        match *self {
+            Self::Box(shape) => of_box(shape),
+            Self::SimplifiedBox { of, vertices } => format!("{}-to-{vertices}", of_box(of)),
+            Self::StandIn { vertices, genus, seed } => {
+                format!("stand-in-{vertices}-{genus}-{seed}")
+            }
+        }
+    }
+
+    /// Whether making the mesh takes longer than reading it from a file.
+    fn is_costly(&self) -> bool {
+        !matches!(self, Self::Box(_))
+    }
+}
+
+fn into_list(surface: Surface) -> FaceList {
+    FaceList::from_triangles(surface.positions, surface.triangles)
+}
+
+fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<FaceList, GenerateError> {
+    let source = (OVERSAMPLING * u64::from(vertices)).max(organic::minimum_vertices(genus));
+    // E = 3 (V - 2 + 2g) by Euler's formula.
+    let half_edges = 6 * (source - 2 + 2 * u64::from(genus));
+    if half_edges > 1 << 31 {
+        return Err(GenerateError::TooLarge { half_edges });
+    }
+    let source = u32::try_from(source).expect("there are fewer vertices than half-edges");
+    let mut random = Random::stream(seed, &["stand-in", &vertices.to_string(), &genus.to_string()]);
+    Ok(into_list(organic::surface(genus, source, &mut |bound| random.below(bound))))
+}
+
+/// Simplifies `list` to `vertices`, and tells `on_the_way` what it is at each of `stops`, descending.
+fn simplified(
+    list: &FaceList,
+    stops: &[u32],
+    vertices: u32,
+    mut on_the_way: impl FnMut(u32, FaceList) -> Result<(), GenerateError>,
+) -> Result<FaceList, GenerateError> {
+    let triangulation = Triangulation::build(list).expect("what is generated is a triangulation");
+    let mut simplifier = Simplifier::new(triangulation, &list.positions);
+    for &stop in stops {
+        simplifier.reduce_to(stop as usize)?;
+        on_the_way(stop, simplifier.result().0)?;
+    }
+    simplifier.reduce_to(vertices as usize)?;
+    Ok(simplifier.result().0)
+}

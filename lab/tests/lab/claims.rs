@@ -1,0 +1,289 @@
+//! Verdicts on the papers' claims, from records that never happened.
+
+use std::collections::BTreeSet;
+use std::slice;
+
+use crate::records::of_the_papers;
+use triquad_lab::experiment::{Outcome, Results, RunRecord};
+use triquad_lab::meshes::paper;
+use triquad_lab::report::claims::{Claim, Kind};
+use triquad_lab::report::{Judged, Summary, Verdict, claims, compare};
+
+/// What the papers print satisfies exactly the claims that are not said to be inconsistent.
+#[test]
+fn claims_hold_of_the_papers_own_numbers_unless_they_are_said_to_be_inconsistent() {
+    let mut judged = 0;
+    for claim in claims::all() {
+        if let Some(holds) = compare::holds_of_the_paper(&claim) {
+            assert_eq!(holds, claim.inconsistent.is_none(), "{}", claim.id);
+            judged += 1;
+        }
+    }
+    assert!(judged >= 80, "{judged} claims can be tested on printed numbers");
+}
+
+fn judged(results: &Results) -> Vec<Judged> {
+    compare::judge(&Summary::of(results)).verdicts
+}
+
+/// The verdict on one claim, with its detail.
+fn verdict<'a>(verdicts: &'a [Judged], id: &str) -> (Verdict, &'a str) {
+    let found = verdicts.iter().find(|judged| judged.id == id).expect(id);
+    (found.verdict, &found.detail)
+}
+
+#[test]
+fn there_are_claims_of_both_papers_and_each_has_a_name_of_its_own() {
+    let claims = claims::all();
+    let ids: BTreeSet<&str> = claims.iter().map(|claim| claim.id.as_str()).collect();
+    assert_eq!(ids.len(), claims.len());
+    for paper in ["comparison", "irreducible"] {
+        let of_paper = claims.iter().filter(|claim| claim.experiment == paper);
+        assert!(of_paper.clone().count() >= 30, "{paper}");
+        assert!(of_paper.clone().all(|claim| claim.source.starts_with(paper)));
+    }
+    for claim in &claims {
+        let names = claim.mesh_names();
+        let known = |name: &String| paper::named(name).is_some();
+        assert!(!names.is_empty() && names.iter().all(known), "{}: {names:?}", claim.id);
+        let is_about_times = claim.kind != Kind::MachineFree && claim.kind != Kind::Exponent;
+        assert!(!is_about_times || claim.is_about_times(), "{}", claim.id);
+        assert!(claim.kind != Kind::MachineFree || !claim.is_about_times(), "{}", claim.id);
+    }
+}
+
+#[test]
+fn records_as_printed_reproduce_every_claim_that_is_consistent() {
+    let verdicts = judged(&of_the_papers());
+    for (judged, claim) in verdicts.iter().zip(claims::all()) {
+        let expected = match (&claim.inconsistent, claim.kind) {
+            (Some(_), _) => Verdict::PaperInconsistent,
+            (None, Kind::Seconds) => Verdict::NotComparable,
+            (None, _) => Verdict::Reproduced,
+        };
+        assert_eq!(judged.verdict, expected, "{judged:#?}");
+        if claim.inconsistent.is_some() {
+            assert!(judged.detail.contains("it does not hold"), "{}", judged.detail);
+        }
+        assert!(!judged.ours.is_empty());
+    }
+    let found = verdicts.iter().find(|judged| judged.id == "seconds-lrs").unwrap();
+    assert!(found.ours.contains("ours × 1.000: botijo 0.7217 (printed 0.7217)"), "{}", found.ours);
+}
+
+/// Numbers of one algorithm a thousand times larger or smaller, on all meshes, on one or on every other,
+/// refute any claim about it.
+#[test]
+fn every_claim_can_fail() {
+    let as_printed = of_the_papers();
+    for claim in claims::all() {
+        if claim.inconsistent.is_some() || claim.kind == Kind::Seconds {
+            continue;
+        }
+        let meshes = claim.mesh_names();
+        let others: Vec<String> = meshes.iter().step_by(2).cloned().collect();
+        let (first, last) = (&meshes[..1], &meshes[meshes.len() - 1..]);
+        let refuted = [&meshes[..], first, last, &others].into_iter().any(|meshes| {
+            [1000.0, 0.001].into_iter().any(|factor| {
+                let results = changed(&as_printed, &claim, meshes, factor);
+                let verdicts =
+                    compare::judge_claims(slice::from_ref(&claim), &Summary::of(&results));
+                verdicts.verdicts[0].verdict == Verdict::Differs
+            })
+        });
+        assert!(refuted, "{}", claim.id);
+    }
+}
+
+/// These records, the first number of the claim multiplied on these meshes.
+fn changed(results: &Results, claim: &Claim, meshes: &[String], factor: f64) -> Results {
+    let mut results = results.clone();
+    let first = &claim.value.factors[0];
+    let concerned = results.records.iter_mut().filter(|run| {
+        meshes.contains(&run.mesh) && first.algorithm.as_ref().is_none_or(|a| *a == run.algorithm)
+    });
+    for run in concerned {
+        multiply(run, first.number.name, factor);
+    }
+    results
+}
+
+fn multiply(run: &mut RunRecord, name: &str, factor: f64) {
+    let scale = |count: &mut Option<u64>| {
+        // A count of 0 is no longer one.
+        *count = count.map(|count| (((count + 1) as f64) * factor) as u64);
+    };
+    let stretch = |time: &mut Option<f64>| *time = time.map(|time| time * factor);
+    match name {
+        "triangles" => scale(&mut run.triangles),
+        "unpaired_triangles" => scale(&mut run.unpaired_triangles),
+        "paired_percent" => stretch(&mut run.paired_percent),
+        "edge_flips" => scale(&mut run.edge_flips),
+        "augmenting_path_length_mean" => stretch(&mut run.augmenting_path_length_mean),
+        "augmentation_triangles_visited" => scale(&mut run.augmentation_triangles_visited),
+        "link_condition_tests" => scale(&mut run.link_condition_tests),
+        "edges_tested_more_than_once" => scale(&mut run.edges_tested_more_than_once),
+        "result_vertices" => scale(&mut run.result_vertices),
+        "pairing_seconds" => stretch(&mut run.pairing_seconds),
+        "augmentation_seconds" => stretch(&mut run.augmentation_seconds),
+        "total_seconds" => {
+            stretch(&mut run.pairing_seconds);
+            stretch(&mut run.augmentation_seconds);
+        }
+        "seconds" => stretch(&mut run.seconds),
+        other => panic!("no claim begins with {other}"),
+    }
+}
+
+#[test]
+fn what_cannot_be_judged_says_why() {
+    let mut results = of_the_papers();
+    for run in results.records.iter_mut().filter(|run| run.mesh == "eros") {
+        run.mesh_kind = "stand-in".into();
+    }
+    for run in results.records.iter_mut().filter(|run| run.mesh == "A1" && run.algorithm == "ps") {
+        run.outcome = Outcome::Timeout;
+    }
+    let verdicts = judged(&results);
+    // A structure is judged, the kind of the mesh named.
+    let (found, detail) = verdict(&verdicts, "sg-share");
+    assert_eq!(found, Verdict::Reproduced);
+    assert!(detail.contains("eros (stand-in) 0.1234"), "{detail}");
+    // A number of the mesh itself is not.
+    let (found, detail) = verdict(&verdicts, "sg-unpaired");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(
+        detail.contains("without: eros (48663, but a stand-in, not the paper's mesh)"),
+        "{detail}"
+    );
+    let (found, detail) = verdict(&verdicts, "lrs-beats-ps-boxes");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(detail.starts_with("only 4 of 5 meshes"), "{detail}");
+    assert!(detail.contains("A1 (ps: timeout 10)"), "{detail}");
+
+    results.records.iter_mut().for_each(|run| run.parallel_jobs = 2);
+    let verdicts = judged(&results);
+    let (found, detail) = verdict(&verdicts, "sg-300-times");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(detail.contains("beside others"), "{detail}");
+    assert_eq!(verdict(&verdicts, "lrs-genus-0").0, Verdict::Reproduced);
+
+    results.records.iter_mut().for_each(|run| run.scale = "demo".into());
+    results.planned.iter_mut().for_each(|cell| cell.scale = "demo".into());
+    let verdicts = judged(&results);
+    let (found, detail) = verdict(&verdicts, "lrs-66-times");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(detail.contains("scale demo"), "{detail}");
+    assert_eq!(verdict(&verdicts, "ps-share").0, Verdict::NotComparable);
+    assert_eq!(verdict(&verdicts, "sg-share").0, Verdict::Reproduced);
+
+    let verdicts = judged(&Results::default());
+    for (judged, claim) in verdicts.iter().zip(claims::all()) {
+        let expected = match claim.inconsistent {
+            Some(_) => Verdict::PaperInconsistent,
+            None => Verdict::NotComparable,
+        };
+        assert_eq!(judged.verdict, expected);
+    }
+}
+
+/// One mesh is enough to refute what is said of each, whatever is missing elsewhere.
+#[test]
+fn a_claim_about_every_mesh_is_refuted_by_one() {
+    let mut results = of_the_papers();
+    results.records.retain(|run| run.mesh != "gargoyle");
+    for run in results.records.iter_mut().filter(|run| run.mesh == "eros") {
+        run.unpaired_triangles = Some(6);
+    }
+    let verdicts = judged(&results);
+    let (found, detail) = verdict(&verdicts, "lrs-genus-0");
+    assert_eq!(found, Verdict::Differs);
+    assert!(detail.starts_with("does not hold on eros. eros"), "{detail}");
+    assert!(detail.contains("eros (real) 6.000 ✗"), "{detail}");
+    assert!(
+        detail.contains("without: gargoyle (not run)") || detail.contains("missing"),
+        "{detail}"
+    );
+}
+
+#[test]
+fn ratios_have_intervals_where_runs_were_repeated() {
+    let mut results = of_the_papers();
+    for run in results.records.iter_mut().filter(|run| run.algorithm == "ps") {
+        let noise = 1.0 + 0.01 * f64::from(run.repetition);
+        run.pairing_seconds = run.pairing_seconds.map(|time| time * noise);
+    }
+    let verdicts = judged(&results);
+    let (_, detail) = verdict(&verdicts, "sg-pairing-faster");
+    let start = detail.find("eros (real) 64.08 [").expect(detail) + "eros (real) 64.08 [".len();
+    let interval: Vec<f64> = detail[start..]
+        .split(']')
+        .next()
+        .unwrap()
+        .split(", ")
+        .map(|n| n.parse().unwrap())
+        .collect();
+    assert!(interval[0] > 62.5 && interval[0] < 63.8, "{interval:?}");
+    assert!(interval[1] > 64.3 && interval[1] < 65.7, "{interval:?}");
+    assert_eq!(judged(&results), verdicts);
+}
+
+#[test]
+fn claims_that_no_one_can_make_are_refused() {
+    let good = r#"
+        [[claim]]
+        id = "a"
+        statement = "b"
+        source = "comparison, section 4"
+        kind = "ratio"
+        experiment = "comparison"
+        meshes = ["A1"]
+        value = "sg.total_seconds"
+        predicate = { type = "range", low = 1 }
+    "#;
+    assert_eq!(claims::parse(good).unwrap().len(), 1);
+    for (from, to) in [
+        ("sg.total_seconds", "sg.beauty"),
+        ("type = \"range\"", "type = \"rank\""),
+        ("low = 1", "least = 1"),
+        ("kind = \"ratio\"", "kind = \"rumour\""),
+        ("id = \"a\"", ""),
+        ("statement", "statment"),
+    ] {
+        assert!(good.contains(from), "{from}");
+        assert!(claims::parse(&good.replace(from, to)).is_err(), "{from} {to}");
+    }
+}
+
+/// A number outside its range by less than its noise neither holds nor is refuted.
+#[test]
+fn what_lies_within_the_noise_is_not_decided() {
+    let with_eros = |unpaired: [u64; 2]| {
+        let mut results = of_the_papers();
+        let eros = results.records.iter_mut().filter(|run| run.mesh == "eros");
+        for run in eros.filter(|run| run.algorithm == "sg") {
+            run.unpaired_triangles = Some(unpaired[run.repetition as usize % 2]);
+        }
+        let verdicts = judged(&results);
+        let (verdict, detail) = verdict(&verdicts, "sg-share");
+        (verdict, detail.to_owned())
+    };
+    // 0.12 of the triangles are 47,334.7.
+    let (verdict, detail) = with_eros([40_000, 54_000]);
+    assert_eq!(verdict, Verdict::NotComparable, "{detail}");
+    assert!(detail.starts_with("undecided within the noise on eros"), "{detail}");
+    assert_eq!(with_eros([47_000, 47_002]).0, Verdict::Differs);
+    assert_eq!(with_eros([40_000, 56_000]).0, Verdict::Reproduced);
+}
+
+#[test]
+fn times_too_short_to_be_measured_are_not_compared() {
+    let mut results = of_the_papers();
+    for run in results.records.iter_mut().filter(|run| run.mesh == "botijo") {
+        run.pairing_seconds = run.pairing_seconds.map(|seconds| seconds / 100.0);
+    }
+    let verdicts = judged(&results);
+    let (found, detail) = verdict(&verdicts, "sg-pairing-faster");
+    assert_eq!(found, Verdict::NotComparable);
+    assert!(detail.contains("botijo (sg: pairing_seconds below 0.1 ms)"), "{detail}");
+}

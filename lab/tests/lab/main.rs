@@ -1,0 +1,10 @@
+//! Tests of the lab through its public items, in one program.
+
+mod claims;
+mod figures;
+mod generate;
+mod page;
+mod paper_tables;
+mod plots;
+mod records;
+mod report;

@@ -1,0 +1,221 @@
+//! The page: well-formed, complete in itself, navigable, honest about what is missing.
+
+use std::collections::HashSet;
+use std::process::Command;
+
+use roxmltree::{Document, Node, ParsingOptions};
+use triquad_lab::experiment::results::Damaged;
+use triquad_lab::experiment::{Outcome, Results, RunRecord};
+use triquad_lab::report::gallery::Shown;
+use triquad_lab::report::page::{self, Parts, Pictured};
+use triquad_lab::report::paper::Table;
+use triquad_lab::report::plots::{self, Plot};
+use triquad_lab::report::{Summary, compare, tables};
+
+/// The page without its plots, which take the longest.
+fn page_of(results: &Results) -> String {
+    page_with(results, &[])
+}
+
+fn page_with_plots(results: &Results) -> String {
+    page_with(results, &plots::all(&Summary::of(results)))
+}
+
+fn page_with(results: &Results, plots: &[Plot]) -> String {
+    let summary = Summary::of(results);
+    let tables = tables::all(&summary);
+    page::render(&Parts {
+        results,
+        summary: &summary,
+        tables: &tables,
+        comparison: &compare::judge(&summary),
+        plots,
+        pictures: &pictures(),
+    })
+}
+
+/// A picture of each subject.
+fn pictures() -> Vec<Pictured> {
+    let png = include_bytes!("../../../docs/box.png").to_vec();
+    let of = |subject: &str, algorithm: &str| {
+        let shown = Shown {
+            subject: subject.into(),
+            algorithm: algorithm.into(),
+            view: "whole".into(),
+            mesh: "botijo".into(),
+            flipped_edges: 1234,
+            ..Shown::default()
+        };
+        Pictured { shown, png: png.clone() }
+    };
+    vec![of("box", ""), of("quads", "lrs"), of("quads", "lrs few-flips")]
+}
+
+/// The records of the papers' tables, with `local` beside `tarjan`: each of these takes LRS twice as
+/// long as PS.
+fn both_augmentations() -> Results {
+    let mut results = crate::records::of_the_papers();
+    let conversions = results.records.iter().filter(|run| run.augmentation.is_some());
+    let local = |run: &RunRecord| RunRecord {
+        augmentation: Some("local".into()),
+        pairing_seconds: Some(if run.algorithm == "lrs" { 2.0 } else { 1.0 }),
+        augmentation_seconds: Some(0.0),
+        ..run.clone()
+    };
+    let local: Vec<RunRecord> = conversions.map(local).collect();
+    results.records.extend(local);
+    results
+}
+
+fn parsed(page: &str) -> Document<'_> {
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    Document::parse_with_options(page, options).expect("well-formed")
+}
+
+fn elements<'a>(page: &'a Document<'a>, name: &'a str) -> impl Iterator<Item = Node<'a, 'a>> {
+    page.descendants().filter(move |node| node.is_element() && node.tag_name().name() == name)
+}
+
+/// Checks what holds of every page, whatever the records.
+fn check(page: &str) {
+    let document = parsed(page);
+    let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+    let known: HashSet<&str> = ids.iter().copied().collect();
+    assert_eq!(ids.len(), known.len(), "an id is there twice");
+    for node in document.descendants() {
+        for name in ["href", "src", "data", "poster", "action"] {
+            let Some(target) = node.attribute(name) else { continue };
+            let inside = target.strip_prefix('#').is_some_and(|id| known.contains(id));
+            assert!(inside || target.starts_with("data:image/png;base64,"), "{name}={target:.60}");
+        }
+        if let Some(heading) = node.attribute("aria-labelledby") {
+            assert!(known.contains(heading), "{heading}");
+        }
+    }
+    let style = elements(&document, "style").next().and_then(|node| node.text()).unwrap();
+    assert!(!style.contains("url(") && !style.contains("@import"));
+    assert_eq!(elements(&document, "script").count(), 0);
+    for (name, count) in [("h1", 1), ("main", 1), ("nav", 1), ("header", 1), ("footer", 1)] {
+        assert_eq!(elements(&document, name).count(), count, "{name}");
+    }
+    for table in elements(&document, "table") {
+        assert!(table.children().any(|child| child.has_tag_name("caption")));
+        let region = table.parent_element().unwrap();
+        let focusable = region.attribute("tabindex") == Some("0");
+        assert!(focusable && region.attribute("aria-label").is_some_and(|label| !label.is_empty()));
+    }
+    assert!(elements(&document, "th").all(|cell| cell.attribute("scope").is_some()));
+    assert!(elements(&document, "img").all(|image| image.attribute("alt") != Some("")));
+    let tables = Table::ALL.map(|table| table.file().trim_end_matches(".csv").replace('_', "-"));
+    let figures = ["5-11", "5-12", "5-13", "5-14", "14", "15", "16", "17", "18"];
+    for id in tables.into_iter().chain(figures.map(|number| format!("figure-{number}"))) {
+        assert!(known.contains(id.as_str()), "{id} cannot be found");
+        assert!(page.contains(&format!("href=\"#{id}\"")), "{id} is not in the contents");
+    }
+}
+
+#[test]
+fn a_full_page_is_well_formed_small_and_the_same_again() {
+    let results = both_augmentations();
+    let page = page_with_plots(&results);
+    check(&page);
+    assert!(page.len() < 5_000_000, "{} bytes", page.len());
+    assert!(page == page_with_plots(&results), "two renderings differ");
+    for run in &results.records {
+        assert!(page.contains(&run.command), "{}", run.command);
+    }
+    let judged = compare::judge(&Summary::of(&results)).verdicts;
+    assert!(judged.iter().all(|claim| page.contains(&format!("id=\"claim-{}\"", claim.id))));
+    assert!(page.contains("1234 of"), "flipped edges are counted");
+}
+
+/// Tables 4.3 and 4.4 have LRS faster on A1 to A5, Happy Buddha and Iphigenia.
+#[test]
+fn whether_lrs_still_beats_ps_is_answered_from_the_records() {
+    let mut results = both_augmentations();
+    let page = page_of(&results);
+    assert!(page.contains("No: with the better augmentation LRS no longer beats PS."));
+    assert!(page.contains("LRS is faster on 7 of 16 meshes; with ours it is faster on 0 of these"));
+    results.records.iter_mut().for_each(|run| run.parallel_jobs = 2);
+    assert!(page_of(&results).contains("runs went on side by side, so that their times"));
+    results.records.retain(|run| run.augmentation.as_deref() == Some("tarjan"));
+    results.records.iter_mut().for_each(|run| run.parallel_jobs = 1);
+    assert!(page_of(&results).contains("no mesh has PS and LRS under both augmentations"));
+}
+
+#[test]
+fn no_records_give_a_page_that_says_so() {
+    let page = page_of(&Results::default());
+    check(&page);
+    assert!(page.contains("there is no record of any run"));
+    assert!(page.contains("No run is recorded for this table."));
+    assert!(page.contains("Nothing is recorded for this figure."));
+}
+
+#[test]
+fn what_is_missing_damaged_or_failed_is_listed_and_escaped() {
+    let mut results = crate::records::of_the_papers();
+    let lost = results.records.iter().position(|run| run.algorithm == "ps").unwrap();
+    results.records.remove(lost);
+    let failed = results.records.iter_mut().find(|run| run.algorithm == "ds").unwrap();
+    failed.outcome = Outcome::Timeout;
+    failed.reason = "more than <1200> seconds".into();
+    let problem = "a <script> & more".into();
+    results.damaged.push(Damaged { line: 77, text: "x".into(), problem });
+    let page = page_of(&results);
+    check(&page);
+    assert!(page.contains("PS on botijo: ok 9, missing 1"));
+    assert!(page.contains("timeout 1 (more than &lt;1200&gt; seconds)"));
+    assert!(page.contains("line 77: damaged and left out: a &lt;script&gt; &amp; more"));
+    assert!(page.contains("nothing about the machine bench"));
+}
+
+#[test]
+fn stand_ins_and_smaller_scales_are_marked() {
+    let mut results = crate::records::of_the_papers();
+    for run in &mut results.records {
+        run.mesh_kind = "stand-in".into();
+        run.scale = "demo".into();
+    }
+    let page = page_of(&results);
+    assert!(page.contains("botijo†") && page.contains("of scale “demo”"));
+    assert!(!page.contains("▲") && !page.contains("▼"), "numbers of other sizes are compared");
+    assert!(page_of(&both_augmentations()).contains("= equal"));
+}
+
+#[test]
+fn a_browser_shows_it_at_the_widths_of_a_phone_and_a_desk() {
+    let Some(browser) = browser() else {
+        eprintln!("skipped: no chromium to open the page with");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("index.html");
+    std::fs::write(&file, page_with_plots(&both_augmentations())).unwrap();
+    for width in [360, 1280] {
+        let picture = folder.path().join(format!("{width}.png"));
+        let status = Command::new(browser)
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"])
+            .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
+            .arg(format!("--window-size={width},1600"))
+            .arg(format!("--screenshot={}", picture.display()))
+            .arg(format!("file://{}", file.display()))
+            .output()
+            .unwrap()
+            .status;
+        assert!(status.success());
+        let decoder = png::Decoder::new(std::io::Cursor::new(std::fs::read(&picture).unwrap()));
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        let channels = reader.info().bytes_per_pixel();
+        let dark = pixels.chunks(channels).filter(|pixel| pixel[0] < 100).count();
+        assert!(dark > 2_000, "hardly anything is to be seen at {width}: {dark} dark pixels");
+    }
+}
+
+fn browser() -> Option<&'static str> {
+    ["chromium", "chromium-browser", "google-chrome"]
+        .into_iter()
+        .find(|name| Command::new(name).arg("--version").output().is_ok())
+}

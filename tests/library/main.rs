@@ -1,0 +1,14 @@
+//! Tests of the library through its public items, in one program.
+
+mod common;
+mod conformance;
+mod contraction;
+mod dynamic;
+#[cfg(feature = "files")]
+mod formats;
+mod irreducible;
+mod laws;
+mod matching;
+#[cfg(feature = "files")]
+mod real_meshes;
+mod simplify;
