@@ -31,6 +31,7 @@ mod disjoint_sets;
 pub mod dual;
 pub mod dynamic;
 pub mod irreducible;
+pub mod matching;
 pub mod mesh;
 pub mod pairing;
 mod prefetch;
@@ -41,7 +42,7 @@ mod samples;
 pub mod simplify;
 pub mod triangulation;
 
-pub use augmentation::{Augmentation, AugmentationStats, make_maximum, make_perfect};
+pub use augmentation::{Augmentation, AugmentationStats, make_maximum};
 pub use convert::{
     Conversion, ConvertError, ConvertedMesh, Paired, Progress, Settings, Stage, Summary, convert,
     convert_list, convert_mesh, convert_timed, pair,

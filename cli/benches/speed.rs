@@ -132,7 +132,7 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
 /// The seconds that petgraph's maximum matching takes on the dual graph.
 fn petgraph_seconds(path: &Path) -> Result<f64> {
     let triangulation = Triangulation::build(&mesh::read(path)?)?;
-    let dual = DualGraph::of(&triangulation);
+    let dual = DualGraph::new(&triangulation);
     let graph =
         petgraph::graph::UnGraph::<(), ()>::from_edges(edges(&dual).map(<(u32, u32)>::from));
     let start = std::time::Instant::now();
@@ -169,7 +169,7 @@ fn lemon_seconds(program: &Path, variant: &str, dual: &Path) -> Result<f64> {
 
 fn write_dual(path: &Path, dual: &Path) -> Result<()> {
     let triangulation = Triangulation::build(&mesh::read(path)?)?;
-    let graph = DualGraph::of(&triangulation);
+    let graph = DualGraph::new(&triangulation);
     let mut file = std::io::BufWriter::new(std::fs::File::create(dual)?);
     let counts = [graph.len() as u32, edges(&graph).count() as u32];
     for number in counts.into_iter().chain(edges(&graph).flatten()) {

@@ -15,9 +15,9 @@
 
 use std::ops::ControlFlow;
 
-use super::AugmentationStats;
-use super::forest::{Forest, Place, TreeId};
+use super::stats::AugmentationStats;
 use crate::dual::{DualGraph, Matching};
+use crate::matching::{Forest, Place, TreeId};
 use crate::triangulation::TriangleId;
 
 /// Number of triangles that a tree may take in during the first round.

@@ -3,10 +3,9 @@
 
 use std::ops::ControlFlow;
 
-use super::AugmentationStats;
-use super::forest::Forest;
-use super::single_tree::augment_from;
+use super::stats::AugmentationStats;
 use crate::dual::{DualGraph, Matching};
+use crate::matching::{Forest, augment_from};
 use crate::triangulation::TriangleId;
 
 /// Augments from each unpaired triangle in turn. Θ(n) a path, O(k n) in all.

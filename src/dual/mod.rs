@@ -3,5 +3,5 @@
 mod graph;
 mod matching;
 
-pub use graph::{DualGraph, NotADualGraph};
+pub use graph::{DualGraph, DualGraphError};
 pub use matching::{Matching, PerfectMatching};

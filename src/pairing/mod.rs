@@ -7,6 +7,7 @@
 pub mod cubic;
 mod lrs;
 mod pulli_segal;
+mod ranked_graph;
 mod simple_greedy;
 mod triquad;
 
@@ -39,10 +40,10 @@ impl<'t> InitialPairing<'t> {
     /// What `pair` makes of the triangles of `triangulation` itself.
     fn of_input(
         triangulation: &'t Triangulation,
-        pair: impl FnOnce(&mut DualGraph) -> Matching,
+        pair: impl FnOnce(&DualGraph) -> Matching,
     ) -> Self {
-        let mut dual = DualGraph::of(triangulation);
-        let matching = pair(&mut dual);
+        let dual = DualGraph::new(triangulation);
+        let matching = pair(&dual);
         debug_assert!(matching.is_matching_of(&dual));
         let triangulation = Cow::Borrowed(triangulation);
         Self { triangulation, dual, matching, edge_flips: 0 }

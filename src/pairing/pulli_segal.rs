@@ -17,52 +17,10 @@
 
 use std::collections::VecDeque;
 
+use super::ranked_graph::{Priority, Rank, RankedGraph};
 use crate::dual::{DualGraph, Matching};
 use crate::random::Random;
 use crate::triangulation::{Id, TriangleId};
-
-/// Number of the priority set of an unpaired triangle; the highest goes first.
-///
-/// A triangle's priority never falls: edges are locked and never freed. So each triangle enters
-/// each queue at most once, parallel edges apart, and an entry is out of date exactly if the priority
-/// has changed since.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-enum Priority {
-    /// In no set any more: paired, or left alone with no free edge.
-    Done,
-    /// Set 0: three free edges.
-    ThreeFree,
-    /// Set 1: two free edges, both shared with triangles of set 0.
-    TwoFreeToLowest,
-    /// Set 2: two free edges.
-    TwoFree,
-    /// Set 3: one free edge or none.
-    AtMostOneFree,
-}
-
-/// A triangle's priority and, below it, how long it has had that: the greatest rank goes first.
-///
-/// Time is a number below 2^29.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-struct Rank(u32);
-
-impl Rank {
-    const AGE_BITS: u32 = 29;
-
-    fn new(priority: Priority, entered: u32) -> Self {
-        Self(((priority as u32 + 1) << Self::AGE_BITS) - 1 - entered)
-    }
-
-    fn priority(self) -> Priority {
-        match self.0 >> Self::AGE_BITS {
-            0 => Priority::Done,
-            1 => Priority::ThreeFree,
-            2 => Priority::TwoFreeToLowest,
-            3 => Priority::TwoFree,
-            _ => Priority::AtMostOneFree,
-        }
-    }
-}
 
 /// Pairs triangles by priority: one of the highest non-empty set with its highest-priority
 /// neighbour across a free edge; ties as explained above.
@@ -70,10 +28,9 @@ impl Rank {
 /// From set 0, which is drawn on once for each component, triangles are taken at random if `random`
 /// is given, else in their order; `random` also chooses which side of a triangle counts as its first.
 ///
-/// Θ(n) time: a triangle changes its set at most three times. 4 bytes a triangle, and queues as long
-/// as the edge of the paired region. `graph` is the same afterwards: it has room to keep each
-/// triangle's rank beside its neighbours, which halves the lines of the cache that are needed.
-pub fn pulli_segal(graph: &mut DualGraph, random: Option<&mut Random>) -> Matching {
+/// Θ(n) time: a triangle changes its set at most three times. 20 bytes a triangle, and queues as long
+/// as the edge of the paired region.
+pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
     let mut greedy = Greedy::new(graph, random);
     while let Some(f) = greedy.next() {
         match greedy.best_neighbour(f) {
@@ -105,8 +62,7 @@ impl Time {
 
 /// The pairing so far, and the sets 3, 2 and 1 as queues.
 pub(super) struct Greedy<'g> {
-    /// Its notes are the ranks.
-    pub(super) graph: &'g mut DualGraph,
+    ranked: RankedGraph,
     pub(super) matching: Matching,
     /// Triangles that are not done.
     left: usize,
@@ -122,11 +78,10 @@ pub(super) struct Greedy<'g> {
 }
 
 impl<'g> Greedy<'g> {
-    pub(super) fn new(graph: &'g mut DualGraph, mut random: Option<&'g mut Random>) -> Self {
+    pub(super) fn new(graph: &DualGraph, mut random: Option<&'g mut Random>) -> Self {
         let triangles = graph.len();
-        graph.set_notes(Rank::new(Priority::ThreeFree, 0).0);
         let mut greedy = Self {
-            graph,
+            ranked: RankedGraph::new(graph),
             matching: Matching::empty(triangles),
             left: triangles,
             time: Time::new(triangles),
@@ -136,8 +91,8 @@ impl<'g> Greedy<'g> {
             first_side: random.as_deref_mut().map_or(0, |random| random.below(3) as usize),
             random,
         };
-        if greedy.graph.has_boundary() {
-            greedy.graph.triangles().for_each(|f| greedy.relocate(f));
+        if greedy.ranked.has_boundary() {
+            greedy.ranked.triangles().for_each(|f| greedy.relocate(f));
         }
         greedy
     }
@@ -147,7 +102,7 @@ impl<'g> Greedy<'g> {
         if self.left == 0 {
             return None;
         }
-        let next = self.pop().or_else(|| self.lowest.pop(self.graph, self.random.as_deref_mut()));
+        let next = self.pop().or_else(|| self.lowest.pop(&self.ranked, self.random.as_deref_mut()));
         debug_assert!(next.is_some(), "a triangle that is not done is in a set");
         next
     }
@@ -173,7 +128,7 @@ impl<'g> Greedy<'g> {
     /// The neighbour of highest priority, the oldest of several, across a free edge; of equally old
     /// ones the one across the earliest side.
     pub(super) fn best_neighbour(&self, f: TriangleId) -> Option<TriangleId> {
-        let sides = self.graph.sides(f);
+        let sides = self.ranked.sides(f);
         let mut best = sides[self.first_side];
         for side in [self.first_side + 1, self.first_side + 2] {
             let g = sides[side % 3];
@@ -206,7 +161,7 @@ impl<'g> Greedy<'g> {
 
     /// Relocates the neighbours of `f`, which has been finished: each has lost a free edge.
     pub(super) fn lock_edges(&mut self, f: TriangleId) {
-        for locked in self.graph.sides(f) {
+        for locked in self.ranked.sides(f) {
             match self.priority(locked) {
                 Priority::ThreeFree => self.relocate(locked),
                 Priority::TwoFreeToLowest | Priority::TwoFree => {
@@ -225,7 +180,7 @@ impl<'g> Greedy<'g> {
     /// Moves `f`, which may have lost a free edge, to the set where it belongs now, and with it the
     /// neighbours that were in set 1 because `f` was in set 0.
     fn relocate(&mut self, f: TriangleId) {
-        let sides = self.graph.sides(f);
+        let sides = self.ranked.sides(f);
         let around = sides.map(|g| self.priority(g));
         let (old, new) = (self.priority(f), Priority::among(around));
         if new == old {
@@ -238,7 +193,7 @@ impl<'g> Greedy<'g> {
                 match priority {
                     Priority::TwoFreeToLowest => self.enter(g, Priority::TwoFree),
                     // The ring after the next: when `g` leaves set 0, its neighbours are looked at.
-                    Priority::ThreeFree => self.graph.prefetch_around(g),
+                    Priority::ThreeFree => self.ranked.prefetch_around(g),
                     _ => {}
                 }
             }
@@ -247,7 +202,7 @@ impl<'g> Greedy<'g> {
 
     #[inline]
     fn rank(&self, f: TriangleId) -> Rank {
-        rank_in(self.graph, f)
+        self.ranked.rank(f)
     }
 
     #[inline]
@@ -257,7 +212,7 @@ impl<'g> Greedy<'g> {
 
     #[inline]
     fn set_rank(&mut self, f: TriangleId, rank: Rank) {
-        self.graph.set_note(f, rank.0);
+        self.ranked.set_rank(f, rank);
     }
 
     fn enter(&mut self, f: TriangleId, set: Priority) {
@@ -265,25 +220,6 @@ impl<'g> Greedy<'g> {
         self.set_rank(f, Rank::new(set, now));
         self.queues[set as usize].push_back(f);
     }
-}
-
-impl Priority {
-    /// The priority of an unpaired triangle between neighbours of these priorities.
-    fn among(around: [Self; 3]) -> Self {
-        let count = |priority| around.iter().map(|&p| usize::from(p == priority)).sum::<usize>();
-        match (count(Self::Done), count(Self::ThreeFree)) {
-            (0, _) => Self::ThreeFree,
-            (1, 2) => Self::TwoFreeToLowest,
-            (1, _) => Self::TwoFree,
-            _ => Self::AtMostOneFree,
-        }
-    }
-}
-
-/// The rank of `f` in the notes of `graph`; beyond a boundary everything is done.
-#[inline]
-fn rank_in(graph: &DualGraph, f: TriangleId) -> Rank {
-    graph.note(f).map_or(Rank::new(Priority::Done, 0), Rank)
 }
 
 /// Set 0: all triangles at first. Triangles that have left it are passed over.
@@ -297,19 +233,19 @@ struct LowestSet {
 
 impl LowestSet {
     /// Takes a triangle of the set: a random one, or else the first.
-    fn pop(&mut self, graph: &DualGraph, random: Option<&mut Random>) -> Option<TriangleId> {
-        let is_in = |f: &TriangleId| rank_in(graph, *f).priority() == Priority::ThreeFree;
+    fn pop(&mut self, ranked: &RankedGraph, random: Option<&mut Random>) -> Option<TriangleId> {
+        let is_in = |f: &TriangleId| ranked.priority(*f) == Priority::ThreeFree;
         let Some(random) = random else {
-            let found = (self.taken..graph.len()).map(TriangleId::new).find(is_in)?;
+            let found = (self.taken..ranked.len()).map(TriangleId::new).find(is_in)?;
             self.taken = found.index() + 1;
             return Some(found);
         };
         if self.listed.is_none() {
-            if let Some(f) = draw(graph, random) {
+            if let Some(f) = draw(ranked, random) {
                 return Some(f);
             }
             let mut left: Vec<TriangleId> =
-                (0..graph.len()).map(TriangleId::new).filter(is_in).collect();
+                (0..ranked.len()).map(TriangleId::new).filter(is_in).collect();
             random.shuffle(&mut left);
             self.listed = Some(left);
         }
@@ -321,10 +257,10 @@ impl LowestSet {
 }
 
 /// A triangle of set 0 drawn at random from all triangles, if luck will have it.
-fn draw(graph: &DualGraph, random: &mut Random) -> Option<TriangleId> {
+fn draw(ranked: &RankedGraph, random: &mut Random) -> Option<TriangleId> {
     const DRAWS: usize = 16;
-    let mut draws = (0..DRAWS).map(|_| TriangleId(random.below(graph.len() as u32)));
-    draws.find(|&f| rank_in(graph, f).priority() == Priority::ThreeFree)
+    let mut draws = (0..DRAWS).map(|_| TriangleId(random.below(ranked.len() as u32)));
+    draws.find(|&f| ranked.priority(f) == Priority::ThreeFree)
 }
 
 #[cfg(test)]
@@ -350,8 +286,7 @@ mod tests {
 
     /// Runs the algorithm and compares every priority and every choice with the definition.
     fn follow(graph: &DualGraph) {
-        let mut noted = graph.clone();
-        let mut greedy = Greedy::new(&mut noted, None);
+        let mut greedy = Greedy::new(graph, None);
         while greedy.left > 0 {
             let done: Vec<bool> =
                 graph.triangles().map(|f| greedy.priority(f) == Priority::Done).collect();
@@ -375,7 +310,7 @@ mod tests {
 
     fn dual(surface: triquad_generators::Surface) -> DualGraph {
         let list = FaceList::from_triangles(surface.positions, surface.triangles);
-        DualGraph::of(&Triangulation::build(&list).unwrap())
+        DualGraph::new(&Triangulation::build(&list).unwrap())
     }
 
     #[test]
@@ -409,8 +344,8 @@ mod tests {
         let tetrahedron = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
         let edges: Vec<_> =
             (0..300).flat_map(|c| tetrahedron.map(|(a, b)| (4 * c + a, 4 * c + b))).collect();
-        let mut graph = DualGraph::from_edges(1200, &edges).unwrap();
-        assert_eq!(pulli_segal(&mut graph, Some(&mut random)).unpaired_count(), 0);
-        assert_eq!(pulli_segal(&mut graph, None).unpaired_count(), 0);
+        let graph = DualGraph::from_edges(1200, &edges).unwrap();
+        assert_eq!(pulli_segal(&graph, Some(&mut random)).unpaired_count(), 0);
+        assert_eq!(pulli_segal(&graph, None).unpaired_count(), 0);
     }
 }

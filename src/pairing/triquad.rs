@@ -6,8 +6,8 @@
 //! nothing; afterwards the nearest unpaired triangle would be another stranded one, far away.
 
 use super::pulli_segal::Greedy;
-use crate::augmentation::Rescue;
 use crate::dual::{DualGraph, Matching};
+use crate::matching::Rescue;
 
 /// How many triangles are searched to rescue one; more is left to the augmentation.
 const SEARCH_LIMIT: usize = 8000;
@@ -16,7 +16,7 @@ const SEARCH_LIMIT: usize = 8000;
 /// each that would be left alone by an augmenting path to the nearest unpaired one.
 ///
 /// O(n) time; what it leaves unpaired, if anything, are a few triangles where the rings meet.
-pub fn triquad(graph: &mut DualGraph) -> Matching {
+pub fn triquad(graph: &DualGraph) -> Matching {
     let mut rescue = Rescue::new(graph.len());
     let mut greedy = Greedy::new(graph, None);
     while let Some(f) = greedy.next() {
@@ -25,7 +25,7 @@ pub fn triquad(graph: &mut DualGraph) -> Matching {
             continue;
         }
         greedy.leave_alone(f);
-        if let Some(end) = rescue.pair(greedy.graph, &mut greedy.matching, f, SEARCH_LIMIT)
+        if let Some(end) = rescue.pair(graph, &mut greedy.matching, f, SEARCH_LIMIT)
             && !greedy.is_done(end)
         {
             greedy.finish(end);

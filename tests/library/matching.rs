@@ -9,7 +9,7 @@ use triquad::pairing::{pulli_segal, simple_greedy};
 use triquad::random::Random;
 use triquad::triangulation::{Id, TriangleId};
 use triquad::{
-    Algorithm, Augmentation, DualGraph, Matching, Triangulation, make_maximum, make_perfect,
+    Algorithm, Augmentation, DualGraph, Matching, Triangulation, make_maximum,
 };
 
 type Edges = Vec<(u32, u32)>;
@@ -46,7 +46,7 @@ fn initial_matchings(graph: &DualGraph) -> [Matching; 3] {
     [
         Matching::empty(graph.len()),
         simple_greedy(graph, random),
-        pulli_segal(&mut graph.clone(), Some(random)),
+        pulli_segal(graph, Some(random)),
     ]
 }
 
@@ -128,7 +128,7 @@ fn duals_of_random_surfaces_get_perfect_matchings() {
     for (genus, surface) in crate::common::many_surfaces(160) {
         let triangulation = Triangulation::build(&crate::common::face_list(&surface)).unwrap();
         assert_eq!(triangulation.genus(), genus);
-        let graph = DualGraph::of(&triangulation);
+        let graph = DualGraph::new(&triangulation);
         assert_maximum(&graph, graph.len() / 2);
     }
 }
@@ -142,8 +142,10 @@ fn special_surfaces_get_perfect_matchings() {
                 let mut random = Random::stream(3, &[name]);
                 let initial = algorithm.pair(&triangulation, &mut random);
                 let unpaired = initial.matching.unpaired_count();
-                let (perfect, stats) =
-                    make_perfect(&initial.dual, initial.matching, augmentation, &mut || {});
+                let on_path = &mut || ControlFlow::Continue(());
+                let (matching, stats) =
+                    make_maximum(&initial.dual, initial.matching, augmentation, on_path);
+                let perfect = matching.certify(&initial.dual).expect("a perfect matching");
                 assert_eq!(stats.paths, unpaired / 2, "{name}");
                 assert_eq!(perfect.pairs().count(), initial.dual.len() / 2, "{name}");
             }
@@ -283,10 +285,12 @@ fn an_unpaired_node_without_partner_is_left_alone() {
 }
 
 #[test]
-#[should_panic(expected = "Theorem 2.1")]
-fn a_graph_without_perfect_matching_is_a_mistake_of_the_caller() {
+fn a_matching_that_leaves_a_triangle_is_not_certified() {
     let graph = DualGraph::from_edges(4, &[(0, 1), (0, 2), (0, 3)]).unwrap();
-    make_perfect(&graph, Matching::empty(4), Augmentation::Local, &mut || {});
+    let on_path = &mut || ControlFlow::Continue(());
+    let (matching, _) = make_maximum(&graph, Matching::empty(4), Augmentation::Local, on_path);
+    let refused = matching.certify(&graph).expect_err("a star has no perfect matching");
+    assert_eq!(refused.unpaired_count(), 2);
 }
 
 proptest! {
@@ -305,7 +309,7 @@ proptest! {
     #[test]
     fn any_sculpted_surface_gets_a_perfect_matching(surface in crate::common::sculpted_surface()) {
         let triangulation = Triangulation::build(&crate::common::face_list(&surface)).unwrap();
-        let graph = DualGraph::of(&triangulation);
+        let graph = DualGraph::new(&triangulation);
         assert_maximum(&graph, graph.len() / 2);
     }
 }

@@ -99,7 +99,7 @@ mod tree_rule;
 
 use std::ops::Range;
 
-use crate::dual::{DualGraph, Matching, NotADualGraph};
+use crate::dual::{DualGraph, Matching, DualGraphError};
 use crate::triangulation::{Id, IdVec, TriangleId};
 use covers::covers;
 use ds::DynamicGraph;
@@ -127,7 +127,7 @@ impl Method {
 pub enum IllegalGraph {
     /// A loop, more than three edges at a node, an end that does not exist, or too many nodes.
     #[error(transparent)]
-    NotADualGraph(#[from] NotADualGraph),
+    NotADualGraph(#[from] DualGraphError),
     /// A node has fewer than three edges.
     #[error("node {0} has fewer than three edges")]
     Degree(u32),

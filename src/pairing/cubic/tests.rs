@@ -105,15 +105,15 @@ fn stray(nodes: usize, edges: &Edges, removed: Option<usize>) -> Option<usize> {
 }
 
 /// The first end of an edge that does not exist, closes a loop or is the fourth at its node.
-fn wrong_end(nodes: usize, edges: &Edges) -> Option<NotADualGraph> {
+fn wrong_end(nodes: usize, edges: &Edges) -> Option<DualGraphError> {
     let ends: Vec<_> = edges.iter().flat_map(|&(a, b)| [(a, b), (b, a)]).collect();
     (0..ends.len()).find_map(|i| {
         let (from, to) = ends[i];
         let before = ends[..i].iter().filter(|end| end.0 == from).count();
         match from {
-            _ if from as usize >= nodes => Some(NotADualGraph::OutOfRange(from)),
-            _ if from == to => Some(NotADualGraph::Loop(from)),
-            _ if before == 3 => Some(NotADualGraph::Degree(from)),
+            _ if from as usize >= nodes => Some(DualGraphError::OutOfRange(from)),
+            _ if from == to => Some(DualGraphError::Loop(from)),
+            _ if before == 3 => Some(DualGraphError::Degree(from)),
             _ => None,
         }
     })
@@ -261,7 +261,7 @@ fn duals_of_random_surfaces_are_solved() {
         let operations = if seed % 40 == 39 { 3000 } else { random.below(24) as usize };
         let surface = random_surface(genus, operations, mix, &mut |bound| random.below(bound));
         let list = FaceList::from_triangles(surface.positions, surface.triangles);
-        let dual = DualGraph::of(&Triangulation::build(&list).unwrap());
+        let dual = DualGraph::new(&Triangulation::build(&list).unwrap());
         let around = |f| dual.neighbours(f).filter(move |&g| f < g).map(move |g| (f.0, g.0));
         let edges: Edges = dual.triangles().flat_map(around).collect();
         let depth = if operations < 100 { Depth::Everything } else { Depth::Result };
@@ -282,9 +282,9 @@ fn illegal_graphs_are_refused() {
     );
     assert_eq!(refusal(2, &vec![(0, 1); 2]), Some(IllegalGraph::Degree(0)));
     let with = |error| Some(IllegalGraph::NotADualGraph(error));
-    assert_eq!(refusal(2, &vec![(0, 1), (1, 1)]), with(NotADualGraph::Loop(1)));
-    assert_eq!(refusal(2, &vec![(0, 1); 4]), with(NotADualGraph::Degree(0)));
-    assert_eq!(refusal(2, &vec![(0, 2)]), with(NotADualGraph::OutOfRange(2)));
+    assert_eq!(refusal(2, &vec![(0, 1), (1, 1)]), with(DualGraphError::Loop(1)));
+    assert_eq!(refusal(2, &vec![(0, 1); 4]), with(DualGraphError::Degree(0)));
+    assert_eq!(refusal(2, &vec![(0, 2)]), with(DualGraphError::OutOfRange(2)));
 }
 
 /// Sound graphs with a little damage: an edge that is gone, doubled or led elsewhere.

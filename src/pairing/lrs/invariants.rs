@@ -138,7 +138,7 @@ fn observe(surface: &Surface, discipline: Discipline) -> [usize; 2] {
 fn check_outcome(expanded: Expanded, input: &Triangulation, unpaired: usize) -> usize {
     let Expanded { triangulation: k, dual, matching, edge_flips } = expanded;
     assert_eq!(matching.unpaired_count(), unpaired);
-    assert!(matching.is_matching_of(&dual) && dual == DualGraph::of(&k));
+    assert!(matching.is_matching_of(&dual) && dual == DualGraph::new(&k));
     // The half-edge structure is what its triangles say.
     let list = FaceList {
         faces: k.faces(),

@@ -70,7 +70,7 @@ struct Expanded {
 impl Expanded {
     /// Pairs the triangles of 𝒦 = `k` on both sides of the edges that are marked as in M. O(n).
     fn new(k: Triangulation, marks: &Marks, edge_flips: usize) -> Self {
-        let dual = DualGraph::of(&k);
+        let dual = DualGraph::new(&k);
         let matching = Matching::from_mates(marks.mates(&dual));
         Self { dual, matching, triangulation: k, edge_flips }
     }

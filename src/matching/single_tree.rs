@@ -5,18 +5,18 @@ use crate::dual::{DualGraph, Matching};
 use crate::triangulation::TriangleId;
 
 /// An augmenting path that has been augmented along.
-pub(super) struct Augmented {
+pub(crate) struct Augmented {
     /// Number of its edges.
-    pub(super) length: usize,
+    pub(crate) length: usize,
     /// The triangle at its other end.
-    pub(super) end: TriangleId,
+    pub(crate) end: TriangleId,
 }
 
 /// Grows a tree from the unpaired triangle `root` until it reaches another unpaired triangle, and
 /// augments along the path; or until there is nowhere to go or `limit` triangles have been visited.
 ///
 /// The tree is felled afterwards. O(α) a triangle visited.
-pub(super) fn augment_from(
+pub(crate) fn augment_from(
     root: TriangleId,
     graph: &DualGraph,
     forest: &mut Forest,

@@ -1,4 +1,4 @@
-//! Alternating trees with blossoms (Edmonds), the common ground of both augmentations.
+//! Alternating trees with blossoms (Edmonds), below pairing and augmentation alike.
 //!
 //! After Tarjan, *Data Structures and Network Algorithms*, chapter 9. A tree grows from an
 //! unpaired triangle, its root, along unmatched and matched edges in turn; triangles at even
@@ -14,7 +14,7 @@ use crate::triangulation::{Id, TriangleId};
 
 /// How a triangle lies in the forest.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Place {
+pub(crate) enum Place {
     /// In no tree.
     Free,
     /// In the tree of this number, reached only at odd distance from the root; or the tree is fenced.
@@ -25,7 +25,7 @@ pub(super) enum Place {
 
 /// Number of a tree, from 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct TreeId(u32);
+pub(crate) struct TreeId(u32);
 
 /// What the forest knows of a triangle. All zero means: in tree 0, which is none, so that fresh
 /// memory needs no initialisation and pages that no search touches are never made resident.
@@ -124,7 +124,7 @@ struct Tree {
 }
 
 /// Alternating trees over the triangles of a dual graph. 24 bytes for each triangle ever visited.
-pub(super) struct Forest {
+pub(crate) struct Forest {
     nodes: Vec<Node>,
     trees: Vec<Tree>,
     clock: u32,
@@ -136,7 +136,7 @@ pub(super) struct Forest {
 
 impl Forest {
     /// The empty forest over `triangles` triangles; takes memory only as far as it is used.
-    pub(super) fn new(triangles: usize) -> Self {
+    pub(crate) fn new(triangles: usize) -> Self {
         let nodes = bytemuck::zeroed_vec(triangles);
         let (path, segments) = (Vec::new(), Vec::new());
         Self { nodes, trees: vec![Self::no_tree()], clock: 0, visited: 0, path, segments }
@@ -147,19 +147,19 @@ impl Forest {
     }
 
     /// Forgets everything but the count of visits. Θ(n).
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.nodes.fill(Node::default());
         self.trees.truncate(1);
         self.clock = 0;
     }
 
     /// How often a triangle has entered a tree so far.
-    pub(super) fn visited(&self) -> usize {
+    pub(crate) fn visited(&self) -> usize {
         self.visited
     }
 
     #[inline]
-    pub(super) fn place(&self, f: TriangleId) -> Place {
+    pub(crate) fn place(&self, f: TriangleId) -> Place {
         let node = &self.nodes[f.index()];
         match (self.trees[node.tree as usize].fate, node.label_and_mark & LABEL) {
             (Fate::Felled, _) => Place::Free,
@@ -169,7 +169,7 @@ impl Forest {
     }
 
     /// Starts a tree at the unpaired triangle `root`.
-    pub(super) fn plant(&mut self, root: TriangleId) -> TreeId {
+    pub(crate) fn plant(&mut self, root: TriangleId) -> TreeId {
         debug_assert_eq!(self.place(root), Place::Free);
         self.visited += 1;
         let tree = self.trees.len() as u32;
@@ -183,7 +183,7 @@ impl Forest {
 
     /// Adds the free pair `inner` - `outer` to the tree of the outer triangle `parent`.
     #[inline]
-    pub(super) fn grow(
+    pub(crate) fn grow(
         &mut self,
         tree: TreeId,
         parent: TriangleId,
@@ -206,13 +206,13 @@ impl Forest {
 
     /// The next triangle of `tree` to be scanned.
     #[inline]
-    pub(super) fn next_to_scan(&mut self, tree: TreeId) -> Option<TriangleId> {
+    pub(crate) fn next_to_scan(&mut self, tree: TreeId) -> Option<TriangleId> {
         self.trees[tree.0 as usize].queue.pop(&self.nodes).map(TriangleId)
     }
 
     /// Has the cache fetch what scanning the next triangle of `tree` will look at.
     #[inline]
-    pub(super) fn prefetch_next(&self, graph: &DualGraph, matching: &Matching, tree: TreeId) {
+    pub(crate) fn prefetch_next(&self, graph: &DualGraph, matching: &Matching, tree: TreeId) {
         let Some(next) = self.trees[tree.0 as usize].queue.first() else { return };
         for w in graph.sides(TriangleId(next)) {
             prefetch(&self.nodes, w.index());
@@ -221,33 +221,33 @@ impl Forest {
     }
 
     /// Puts the scanned triangle `f` of `tree` aside until [`Forest::retry_barred`].
-    pub(super) fn bar(&mut self, tree: TreeId, f: TriangleId) {
+    pub(crate) fn bar(&mut self, tree: TreeId, f: TriangleId) {
         self.trees[tree.0 as usize].barred.push(&mut self.nodes, f.0);
     }
 
     /// Has the triangles of `tree` that were put aside scanned once more.
-    pub(super) fn retry_barred(&mut self, tree: TreeId) {
+    pub(crate) fn retry_barred(&mut self, tree: TreeId) {
         let tree = &mut self.trees[tree.0 as usize];
         tree.queue.append(&mut self.nodes, &mut tree.barred);
     }
 
     /// Forgets `tree`: its triangles are free again. O(1).
-    pub(super) fn fell(&mut self, tree: TreeId) {
+    pub(crate) fn fell(&mut self, tree: TreeId) {
         self.trees[tree.0 as usize].fate = Fate::Felled;
     }
 
     /// Forgets all trees. O(their number).
-    pub(super) fn fell_all(&mut self) {
+    pub(crate) fn fell_all(&mut self) {
         self.trees.iter_mut().for_each(|tree| tree.fate = Fate::Felled);
     }
 
     /// Ends the growth of `tree`, but keeps its triangles from other trees. O(1).
-    pub(super) fn fence(&mut self, tree: TreeId) {
+    pub(crate) fn fence(&mut self, tree: TreeId) {
         self.trees[tree.0 as usize].fate = Fate::Fenced;
     }
 
     /// Whether `tree` has been neither felled nor fenced.
-    pub(super) fn stands(&self, tree: TreeId) -> bool {
+    pub(crate) fn stands(&self, tree: TreeId) -> bool {
         self.trees[tree.0 as usize].fate == Fate::Standing
     }
 
@@ -271,7 +271,7 @@ impl Forest {
     /// outer triangle `y` of the same tree, unless one blossom holds both already. Inner triangles of
     /// the cycle turn outer and are to be scanned.
     #[inline]
-    pub(super) fn shrink(
+    pub(crate) fn shrink(
         &mut self,
         graph: &DualGraph,
         matching: &Matching,
@@ -339,7 +339,7 @@ impl Forest {
     /// Augments `matching` along the path that the edge `x` - `y` completes: from `x` back to its
     /// root, and from `y` back to its root or, if `y` is in no tree, ending there. Returns the
     /// path's length in edges.
-    pub(super) fn augment(
+    pub(crate) fn augment(
         &mut self,
         graph: &DualGraph,
         matching: &mut Matching,
