@@ -2,30 +2,30 @@
 //!
 //! `cargo run --release --example picture > docs/convert.svg`
 
-use triquad::mesh::{FaceList, Faces};
+use triquad::Converter;
+use triquad::mesh::{Faces, Mesh};
 use triquad::random::Random;
-use triquad::{Settings, Triangulation, convert};
 use triquad_generators::grids;
 
 const SIZE: f64 = 300.0;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let list = torus_with_random_diagonals();
-    let quads = convert(&Triangulation::build(&list)?, &Settings::default()).faces();
+    let quads = Converter::new().run(&list)?;
     println!(
         "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {} {}' role='img'>",
         2.0 * SIZE,
         0.86 * SIZE
     );
     println!("<title>A triangulated torus and the all-quad mesh on the same vertices</title>");
-    draw(&list.positions, &list.faces, 0.0, [150.0, 190.0, 235.0]);
-    draw(&list.positions, &quads, SIZE, [245.0, 190.0, 130.0]);
+    draw(list.positions(), list.faces(), 0.0, [150.0, 190.0, 235.0]);
+    draw(list.positions(), quads.mesh().faces(), SIZE, [245.0, 190.0, 130.0]);
     println!("</svg>");
     Ok(())
 }
 
 /// A torus grid, each cell of which is cut along one of its diagonals at random.
-fn torus_with_random_diagonals() -> FaceList {
+fn torus_with_random_diagonals() -> Mesh {
     let mut random = Random::stream(1, &["picture"]);
     let mut surface = grids::torus(34, 16);
     for cell in surface.triangles.as_chunks_mut::<2>().0 {
@@ -38,7 +38,7 @@ fn torus_with_random_diagonals() -> FaceList {
             *cell = [[a, b, d], [b, c, d]];
         }
     }
-    FaceList::from_triangles(surface.positions, surface.triangles)
+    Mesh::from_triangles(surface.positions, surface.triangles)
 }
 
 /// Draws the faces from the farthest to the nearest, `left` points from the left, lit from above.

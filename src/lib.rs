@@ -8,7 +8,7 @@
 //!
 //! | module | what | source |
 //! |---|---|---|
-//! | [`mesh`] | files: OBJ, PLY, OFF, STL → [`FaceList`](mesh::FaceList), unchecked (feature `files`) | |
+//! | [`mesh`] | files: OBJ, PLY, OFF, STL → [`Mesh`](mesh::Mesh), unchecked (feature `files`) | |
 //! | [`triangulation`] | half-edges, and the laws that make a face list a triangulation | section 2 |
 //! | [`irreducible`] | contraction until nothing can be contracted: RS, Schipper's, brute force | |
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
@@ -20,7 +20,7 @@
 //! | [`convert`](mod@convert) | the chain, timed | section 4 |
 //!
 //! A module uses only what stands above it. One type per stage is the proof that the stage before
-//! was done: `FaceList → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.
+//! was done: `Mesh → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.
 
 #[cfg(feature = "files")]
 pub mod atomic_file;
@@ -43,11 +43,11 @@ pub mod simplify;
 pub mod triangulation;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum};
-pub use convert::{
-    Conversion, ConvertError, ConvertedMesh, Paired, Progress, Settings, Stage, Summary, convert,
-    convert_list, convert_mesh, convert_timed, pair,
-};
+pub use convert::{ConvertError, Converted, Converter, Progress, Quadrangulated, Report, Stage};
 pub use dual::{DualGraph, Matching, PerfectMatching};
+pub use mesh::Mesh;
+#[cfg(feature = "files")]
+pub use mesh::MeshError;
 pub use pairing::{Algorithm, Expansion};
 pub use quadrangulation::{CheckReport, Mismatch, Quadrangulation, check, check_retriangulation};
 pub use triangulation::{Element, Law, Survey, Triangulation, Violation};

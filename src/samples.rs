@@ -7,7 +7,7 @@ use triquad_generators::classic::{seven_vertex_torus, tetrahedron};
 use triquad_generators::random::{Mix, random_surface};
 use triquad_generators::sculptor::{Operation, Sculptor};
 
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 use crate::random::Random;
 use crate::triangulation::Triangulation;
 
@@ -42,6 +42,6 @@ pub(crate) fn sculpted() -> impl Strategy<Value = Surface> {
 
 /// The triangulation that a surface is.
 pub(crate) fn triangulation(surface: &Surface) -> Triangulation {
-    let list = FaceList::from_triangles(surface.positions.clone(), surface.triangles.clone());
+    let list = Mesh::from_triangles(surface.positions.clone(), surface.triangles.clone());
     Triangulation::build(&list).expect("generated surfaces are triangulations")
 }

@@ -17,7 +17,7 @@ use std::process::Command;
 
 use serde_json::Value;
 use triquad::irreducible::Method;
-use triquad::mesh::{self, FaceList, Output};
+use triquad::mesh::{self, Mesh, Output};
 use triquad::random::Random;
 use triquad::triangulation::Id;
 use triquad::{Algorithm, DualGraph, Triangulation};
@@ -80,7 +80,7 @@ fn make_meshes(folder: &Path) -> Result<Vec<PathBuf>> {
     ];
     let write = |(name, surface): (&str, triquad_generators::Surface)| -> Result<PathBuf> {
         let path = folder.join(name).with_extension("obj");
-        let list = FaceList::from_triangles(surface.positions, surface.triangles);
+        let list = Mesh::from_triangles(surface.positions, surface.triangles);
         Output::create(&path)?.write(&list)?;
         Ok(path)
     };

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use triquad::mesh::{self, FaceList};
+use triquad::mesh::{self, Mesh};
 use triquad_render::{Camera, Lines, Picture, Polygons, Section};
 
 /// Draws a mesh file as PNG.
@@ -89,10 +89,10 @@ fn three(numbers: &[f64]) -> [f64; 3] {
     [numbers[0], numbers[1], numbers[2]]
 }
 
-fn polygons(list: &FaceList) -> Polygons<'_> {
-    let corners = list.faces.corners();
-    match (list.faces.arity(), list.faces.ends()) {
-        (_, Some(ends)) => Polygons::mixed(&list.positions, corners, ends),
-        (arity, None) => Polygons::uniform(&list.positions, corners, arity.unwrap_or(3)),
+fn polygons(list: &Mesh) -> Polygons<'_> {
+    let corners = list.faces().corners();
+    match (list.faces().arity(), list.faces().ends()) {
+        (_, Some(ends)) => Polygons::mixed(list.positions(), corners, ends),
+        (arity, None) => Polygons::uniform(list.positions(), corners, arity.unwrap_or(3)),
     }
 }

@@ -4,11 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
-use triquad::quadrangulation::quality::{CLASSES, Quality};
-use triquad::{
-    Algorithm, Augmentation, ConvertError, ConvertedMesh, Expansion, Settings, Summary,
-    convert_mesh, mesh::FaceList,
-};
+use triquad::{Algorithm, Augmentation, ConvertError, Converter, Expansion, Report};
 
 use crate::failure::Failure;
 use crate::input::{self, Repairs};
@@ -77,56 +73,24 @@ impl Arguments {
 struct Stats<'a> {
     schema: &'static str,
     input: String,
-    algorithm: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    lrs_variant: Option<&'static str>,
-    augmentation: &'static str,
-    seed: u64,
-    vertices: usize,
-    edges: usize,
-    triangles: usize,
-    genus: usize,
-    components: usize,
-    quads: usize,
-    degree_two_vertices: usize,
-    unpaired_triangles: usize,
-    paired_percent: f64,
-    edge_flips: usize,
-    augmenting_paths: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    stopped_after_paths: Option<usize>,
+    #[serde(flatten)]
+    report: &'a Report,
     read_seconds: f64,
-    build_seconds: f64,
-    pairing_seconds: f64,
-    augmentation_seconds: f64,
-    total_seconds: f64,
-    check_seconds: f64,
     write_seconds: f64,
     peak_memory_bytes: Option<u64>,
-    augmenting_path_length_mean: f64,
-    augmenting_path_length_max: usize,
-    augmentation_triangles_visited: usize,
-    #[serde(flatten)]
-    quality: Option<Shapes>,
     left_out: &'a [String],
 }
 
-/// How the quads are shaped.
-#[derive(Serialize)]
-struct Shapes {
-    quality_minimum: f64,
-    quality_mean: f64,
-    /// See [`Quality::histogram`].
-    quality_histogram: [usize; CLASSES],
-}
-
-impl Shapes {
-    fn of(quads: &FaceList) -> Self {
-        let quality = Quality::of(quads);
+impl<'a> Stats<'a> {
+    fn new(input: &Path, report: &'a Report, left_out: &'a [String]) -> Self {
         Self {
-            quality_minimum: quality.minimum,
-            quality_mean: quality.mean,
-            quality_histogram: quality.histogram,
+            schema: "triquad-convert-1",
+            input: input.display().to_string(),
+            report,
+            read_seconds: 0.0,
+            write_seconds: 0.0,
+            peak_memory_bytes: machine::peak_memory_bytes(),
+            left_out,
         }
     }
 }
@@ -141,134 +105,57 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         triangles: arguments.write_triangulation.as_deref(),
         stats: arguments.stats.as_deref(),
     })?;
-    let (list, read_seconds) = clock.time(|| input::read(&arguments.input));
-    let mut list = list?;
+    let (mesh, read_seconds) = clock.time(|| input::read(&arguments.input));
+    let mut mesh = mesh?;
     if arguments.repairs.triangulate {
-        list.triangulate();
+        mesh.triangulate();
     }
-    let settings = Settings {
-        algorithm: arguments.algorithm(),
-        augmentation: arguments.augmentation,
-        seed: arguments.seed,
-    };
     status.stop_after(arguments.stop_after_paths.map_or(usize::MAX, |paths| paths as usize));
-    let converted = convert_mesh(list, arguments.repairs.orient, &settings, &clock, &mut status);
-    if let Err(ConvertError::Stopped(summary)) = &converted {
-        drop(status);
-        let stats = stats(arguments, summary, None, &[], [read_seconds, 0.0]);
-        targets.write_stats(&stats)?;
-        return targets.report(&stopped_line(&stats));
-    }
-    let ConvertedMesh { mut quads, triangles, summary } =
-        converted.map_err(|error| conversion_failure(&arguments.input, &error))?;
-    let quality = Shapes::of(&quads);
+    let converted = Converter::new()
+        .algorithm(arguments.algorithm())
+        .augmentation(arguments.augmentation)
+        .seed(arguments.seed)
+        .orient(arguments.repairs.orient)
+        .progress(&mut status)
+        .run(mesh);
+    let quads = match converted {
+        Ok(quads) => quads,
+        Err(ConvertError::Stopped(report)) => {
+            drop(status);
+            let stats = Stats { read_seconds, ..Stats::new(&arguments.input, &report, &[]) };
+            targets.write_stats(&stats)?;
+            return targets.report(&format!("{}: {report}", arguments.input.display()));
+        }
+        Err(error) => return Err(conversion_failure(&arguments.input, &error)),
+    };
     status.say("writing the quads");
-    let (written, write_seconds) = clock.time(|| targets.write_mesh(&quads));
+    let (written, write_seconds) = clock.time(|| targets.write_mesh(quads.mesh()));
     written?;
+    let report = quads.report().clone();
+    let left_out = quads.mesh().left_out().to_vec();
     if arguments.write_triangulation.is_some() {
         status.say("writing the triangles");
-        quads.faces = triangles;
-        quads.attributes = None;
-        targets.write_triangles(&quads)?;
+        targets.write_triangles(&quads.into_triangle_mesh())?;
     }
     drop(status);
-    let stats =
-        stats(arguments, &summary, Some(quality), &quads.left_out, [read_seconds, write_seconds]);
-    targets.write_stats(&stats)?;
+    let stats = Stats::new(&arguments.input, &report, &left_out);
+    targets.write_stats(&Stats { read_seconds, write_seconds, ..stats })?;
     // Not before success: a failure is told in one line.
-    input::tell_left_out(&arguments.input, &quads.left_out);
-    targets.report(&summary_line(arguments, &stats))
+    input::tell_left_out(&arguments.input, &left_out);
+    targets.report(&summary_line(arguments, &report))
 }
 
 fn conversion_failure(input: &Path, error: &ConvertError) -> Failure {
     match error {
         ConvertError::Refused(survey) => input::refusal(input, survey),
-        ConvertError::Wrong(_) | ConvertError::Stopped(_) => {
-            Failure::no(format!("{}: {error}", input.display()))
-        }
+        _ => Failure::no(format!("{}: {error}", input.display())),
     }
 }
 
-fn stats<'a>(
-    arguments: &Arguments,
-    summary: &Summary,
-    quality: Option<Shapes>,
-    left_out: &'a [String],
-    [read_seconds, write_seconds]: [f64; 2],
-) -> Stats<'a> {
-    Stats {
-        schema: "triquad-convert-1",
-        input: arguments.input.display().to_string(),
-        algorithm: arguments.algorithm.id(),
-        lrs_variant: match arguments.algorithm {
-            Algorithm::Lrs(_) => Some(arguments.lrs_variant.id()),
-            _ => None,
-        },
-        augmentation: arguments.augmentation.id(),
-        seed: arguments.seed,
-        vertices: summary.vertices,
-        edges: summary.edges,
-        triangles: summary.triangles,
-        genus: summary.genus,
-        components: summary.components,
-        quads: summary.check.quads,
-        degree_two_vertices: summary.check.degree_two_vertices,
-        unpaired_triangles: summary.unpaired_triangles,
-        paired_percent: summary.paired_percent(),
-        edge_flips: summary.edge_flips,
-        augmenting_paths: summary.augmentation.paths,
-        stopped_after_paths: quality.is_none().then_some(summary.augmentation.paths),
-        read_seconds,
-        build_seconds: summary.build_seconds,
-        pairing_seconds: summary.pairing_seconds,
-        augmentation_seconds: summary.augmentation_seconds,
-        total_seconds: summary.total_seconds(),
-        check_seconds: summary.check_seconds,
-        write_seconds,
-        peak_memory_bytes: machine::peak_memory_bytes(),
-        augmenting_path_length_mean: summary.augmentation.mean_length(),
-        augmenting_path_length_max: summary.augmentation.longest,
-        augmentation_triangles_visited: summary.augmentation.triangles_visited,
-        quality,
-        left_out,
-    }
-}
-
-fn summary_line(arguments: &Arguments, stats: &Stats<'_>) -> String {
+fn summary_line(arguments: &Arguments, report: &Report) -> String {
     let target = match &arguments.output {
         Some(path) if path.as_os_str() != "-" => format!(" -> {}", path.display()),
         _ => String::new(),
     };
-    format!(
-        "{}{target}: {} triangles (genus {}) -> {} quads on the same {} vertices; {} left {} unpaired \
-         ({:.3} %), completed by {}; paired in {:.3} s",
-        stats.input,
-        stats.triangles,
-        stats.genus,
-        stats.quads,
-        stats.vertices,
-        stats.algorithm,
-        stats.unpaired_triangles,
-        100.0 - stats.paired_percent,
-        stats.augmentation,
-        stats.total_seconds,
-    )
-}
-
-fn stopped_line(stats: &Stats<'_>) -> String {
-    format!(
-        "{}: {} triangles (genus {}), no quads; {} left {} unpaired ({:.3} %), stopped after {} of {} \
-         augmenting paths by {}; paired in {:.3} s, augmented for {:.3} s",
-        stats.input,
-        stats.triangles,
-        stats.genus,
-        stats.algorithm,
-        stats.unpaired_triangles,
-        100.0 - stats.paired_percent,
-        stats.augmenting_paths,
-        stats.unpaired_triangles / 2,
-        stats.augmentation,
-        stats.pairing_seconds,
-        stats.augmentation_seconds,
-    )
+    format!("{}{target}: {report}", arguments.input.display())
 }

@@ -158,8 +158,8 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
         "{}: {} vertices, {} triangles, genus {genus}; largest degree {}, angles {:.1} to {:.1} \
          degrees; made in {make_seconds:.3} s, written in {write_seconds:.3} s",
         path.display(),
-        list.positions.len(),
-        list.faces.len(),
+        list.positions().len(),
+        list.faces().len(),
         shape.largest_degree,
         shape.smallest_angle(),
         shape.largest_angle(),

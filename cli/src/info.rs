@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use serde::Serialize;
-use triquad::mesh::FaceList;
+use triquad::Mesh;
 use triquad::{Survey, Triangulation, Violation};
 
 use crate::failure::Failure;
@@ -80,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn examine(list: &FaceList) -> Info {
+fn examine(list: &Mesh) -> Info {
     match Triangulation::build(list) {
         Ok(triangulation) => of_triangulation(&triangulation),
         Err(survey) => of_survey(&survey),

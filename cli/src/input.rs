@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use triquad::mesh::{self, FaceList, Format, MeshError};
-use triquad::{Element, Survey, Triangulation};
+use triquad::mesh::{Format, MeshError};
+use triquad::{Element, Mesh, Survey, Triangulation};
 
 use crate::failure::Failure;
 use crate::stdio;
@@ -20,8 +20,8 @@ pub struct Repairs {
 }
 
 /// Reads a mesh.
-pub fn read(path: &Path) -> Result<FaceList, Failure> {
-    mesh::read(path).map_err(|error| mesh_failure(path, &error))
+pub fn read(path: &Path) -> Result<Mesh, Failure> {
+    Mesh::read(path).map_err(|error| mesh_failure(path, &error))
 }
 
 /// Tells on standard error what the file held and is not carried over.
@@ -33,25 +33,22 @@ pub fn tell_left_out(path: &Path, left_out: &[String]) {
 }
 
 /// What a result that consists of positions and triangles alone does not carry over from `list`.
-pub fn left_out_of_triangles(list: &FaceList) -> Vec<String> {
-    let attributes = list.attributes.as_ref().filter(|attributes| !attributes.is_empty());
+pub fn left_out_of_triangles(list: &Mesh) -> Vec<String> {
+    let attributes = list.attributes().filter(|attributes| !attributes.is_empty());
     let attributes =
         attributes.map(|_| "texture coordinates, normals, groups and materials".to_owned());
-    list.left_out.iter().cloned().chain(attributes).collect()
+    list.left_out().iter().cloned().chain(attributes).collect()
 }
 
 /// Reads a mesh and makes sure that it is a triangulation of closed surfaces.
-pub fn read_triangulation(
-    path: &Path,
-    repairs: Repairs,
-) -> Result<(FaceList, Triangulation), Failure> {
+pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<(Mesh, Triangulation), Failure> {
     let mut list = read(path)?;
     let triangulation = build(path, &mut list, repairs)?;
     Ok((list, triangulation))
 }
 
 /// Makes sure that a mesh read from `path` is a triangulation of closed surfaces.
-pub fn build(path: &Path, list: &mut FaceList, repairs: Repairs) -> Result<Triangulation, Failure> {
+pub fn build(path: &Path, list: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Failure> {
     if repairs.triangulate {
         list.triangulate();
     }
@@ -73,7 +70,7 @@ pub fn refusal(path: &Path, survey: &Survey) -> Failure {
         more => format!(" (and {more} other laws are broken, see 'triquad info')"),
     };
     // In an OBJ file numbers count from 1 anyway.
-    let from_one = match (Format::of(path), first.element) {
+    let from_one = match (Format::from_path(path), first.element) {
         (Ok(Format::Obj), _) | (_, Element::Mesh) => "",
         _ => ", counted from 1",
     };

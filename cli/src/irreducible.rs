@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use serde::Serialize;
+use triquad::Mesh;
 use triquad::Triangulation;
 use triquad::clock::{Clock, SystemClock};
 use triquad::irreducible::{Irreducible, Method, Order, check_irreducible};
-use triquad::mesh::FaceList;
 use triquad::triangulation::{Id, VertexId};
 
 use crate::failure::Failure;
@@ -161,12 +161,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// What is left, with the coordinates that the vertices have in `list`.
-fn mesh_of(irreducible: &Irreducible, list: &FaceList) -> FaceList {
-    let position = |v: &VertexId| list.positions[v.index()];
+fn mesh_of(irreducible: &Irreducible, list: &Mesh) -> Mesh {
+    let position = |v: &VertexId| list.positions()[v.index()];
     let positions = irreducible.vertices.iter().map(position).collect();
     let triangulation = &irreducible.triangulation;
     let corners = |f| triangulation.corners(f).map(|v| v.index() as u32);
-    FaceList::from_triangles(positions, triangulation.triangles().map(corners).collect())
+    Mesh::from_triangles(positions, triangulation.triangles().map(corners).collect())
 }
 
 fn summary_line(arguments: &Arguments, stats: &Stats) -> String {

@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use triquad::clock::SystemClock;
-use triquad::mesh::FaceList;
-use triquad::{Algorithm, Expansion, Settings, convert_mesh};
+use triquad::{Algorithm, Converter, Expansion, Mesh};
 use triquad_lab::experiment::machine::hash_of_words;
 use triquad_lab::experiment::plan::{PlannedMesh, Source};
 use triquad_lab::meshes::Cache;
@@ -52,17 +50,15 @@ pub fn draw(
             algorithm: name.into(),
             ..about.clone()
         };
-        let settings = Settings { algorithm, ..Settings::default() };
-        let converted =
-            convert_mesh(list.clone(), false, &settings, &SystemClock::default(), &mut ());
-        let quads = converted.map_err(|error| failure(error.to_string()))?.quads;
-        let drawn = gallery::draw_quads(&folder, &about, &quads, &list);
+        let converted = Converter::new().algorithm(algorithm).run(&list);
+        let quads = converted.map_err(|error| failure(error.to_string()))?;
+        let drawn = gallery::draw_quads(&folder, &about, quads.mesh(), &list);
         rows.extend(drawn.map_err(|error| failure(error.to_string()))?);
     }
     gallery::write(&folder, &rows).map_err(|error| failure(error.to_string()))
 }
 
-fn read_or_make(mesh: &PlannedMesh, cache: Option<&Path>) -> Result<FaceList, Failure> {
+fn read_or_make(mesh: &PlannedMesh, cache: Option<&Path>) -> Result<Mesh, Failure> {
     let name = &mesh.name;
     match &mesh.source {
         Source::File(path, _) => crate::input::read(path),

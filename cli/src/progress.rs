@@ -50,6 +50,7 @@ impl Progress for StatusLine {
                 self.bar.reset();
                 self.bar.set_length(paths.min(self.paths_left) as u64);
             }
+            _ => {}
         }
     }
 

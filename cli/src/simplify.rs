@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use serde::Serialize;
+use triquad::Mesh;
 use triquad::Triangulation;
 use triquad::clock::{Clock, SystemClock};
-use triquad::mesh::FaceList;
 use triquad::simplify::{Shape, Simplifier, SimplifyError};
 
 use crate::failure::Failure;
@@ -109,10 +109,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The faces are not needed any more, the positions only to begin with.
 fn simplified(
     triangulation: Triangulation,
-    list: FaceList,
+    list: Mesh,
     vertices: usize,
-) -> Result<(FaceList, Triangulation), SimplifyError> {
-    let mut simplifier = Simplifier::new(triangulation, &list.positions);
+) -> Result<(Mesh, Triangulation), SimplifyError> {
+    let mut simplifier = Simplifier::new(triangulation, list.positions());
     drop(list);
     simplifier.reduce_to(vertices)?;
     Ok(simplifier.result())
@@ -153,7 +153,7 @@ impl Stats {
     }
 
     /// What the result is like.
-    fn describe(&mut self, list: &FaceList, triangulation: &Triangulation) {
+    fn describe(&mut self, list: &Mesh, triangulation: &Triangulation) {
         let shape = Shape::of(list);
         self.result_vertices = triangulation.vertex_count();
         self.result_edges = triangulation.edge_count();

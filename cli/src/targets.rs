@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::atomic_file::AtomicFile;
-use triquad::mesh::{FaceList, Output};
+use triquad::mesh::{Mesh, Output};
 
 use crate::failure::Failure;
 use crate::{input, stdio};
@@ -45,12 +45,12 @@ impl<'a> Targets<'a> {
     }
 
     /// Writes the mesh, if it was asked for.
-    pub fn write_mesh(&mut self, mesh: &FaceList) -> Result<(), Failure> {
+    pub fn write_mesh(&mut self, mesh: &Mesh) -> Result<(), Failure> {
         write_to(self.mesh.take(), self.paths.output, mesh)
     }
 
     /// Writes the triangles, if they were asked for.
-    pub fn write_triangles(&mut self, mesh: &FaceList) -> Result<(), Failure> {
+    pub fn write_triangles(&mut self, mesh: &Mesh) -> Result<(), Failure> {
         write_to(self.triangles.take(), self.paths.triangles, mesh)
     }
 
@@ -80,7 +80,7 @@ impl<'a> Targets<'a> {
     }
 }
 
-fn write_to(output: Option<Output>, path: Option<&Path>, mesh: &FaceList) -> Result<(), Failure> {
+fn write_to(output: Option<Output>, path: Option<&Path>, mesh: &Mesh) -> Result<(), Failure> {
     let (Some(output), Some(path)) = (output, path) else { return Ok(()) };
     output.write(mesh).map_err(|error| input::mesh_failure(path, &error))
 }

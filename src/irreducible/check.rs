@@ -1,6 +1,6 @@
 //! Whether a result is an irreducible triangulation: from its triangles alone.
 
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 use crate::triangulation::{Id, Survey, Triangulation, VertexId};
 
 /// Why a result is none.
@@ -31,7 +31,7 @@ pub enum NotIrreducible {
 /// # Cost
 /// O(d d') for an edge whose ends have d and d' neighbours: what is left is small.
 pub fn check_irreducible(
-    list: &FaceList,
+    list: &Mesh,
     components: usize,
     genus: usize,
 ) -> Result<(), NotIrreducible> {
@@ -75,7 +75,7 @@ mod tests {
     use triquad_generators::{Surface, classic};
 
     fn verdict(surface: &Surface, genus: usize) -> Result<(), NotIrreducible> {
-        let list = FaceList::from_triangles(surface.positions.clone(), surface.triangles.clone());
+        let list = Mesh::from_triangles(surface.positions.clone(), surface.triangles.clone());
         check_irreducible(&list, 1, genus)
     }
 

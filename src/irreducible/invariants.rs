@@ -8,7 +8,7 @@ use triquad_generators::Surface;
 
 use super::edge_lists::List;
 use super::ramaswami_siqueira::{Discipline, NEVER, Observer, Run};
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 use crate::random::Random;
 use crate::samples::{sculpted, surfaces, triangulation};
 use crate::triangulation::{
@@ -58,7 +58,7 @@ impl Graph {
     fn assert_valid(&self, euler_characteristic: i64) {
         let triangles = self.triangles.iter().map(|t| t.map(|v| v.index() as u32)).collect();
         let positions = vec![[0.0; 3]; self.neighbours.len()];
-        let rebuilt = Triangulation::build(&FaceList::from_triangles(positions, triangles));
+        let rebuilt = Triangulation::build(&Mesh::from_triangles(positions, triangles));
         let rebuilt = rebuilt.expect("still a triangulation");
         assert_eq!(rebuilt.euler_characteristic(), euler_characteristic);
     }

@@ -126,7 +126,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::mesh::FaceList;
+    use crate::mesh::Mesh;
     use crate::random::Random;
     use crate::triangulation::Triangulation;
 
@@ -151,7 +151,7 @@ mod tests {
     fn sets_agree_with_ordered_sets_while_neighbours_move() {
         let pair = |i: u32| [[i, (i + 1) % 40, 40], [(i + 1) % 40, i, 41]];
         let triangles = (0..40).flat_map(pair).collect();
-        let list = FaceList::from_triangles(vec![[0.0; 3]; 42], triangles);
+        let list = Mesh::from_triangles(vec![[0.0; 3]; 42], triangles);
         let k = ShrinkingTriangulation::of(Triangulation::build(&list).unwrap());
         let mut sets = NeighbourSets::of(&k);
         let id = |v: u32| VertexId::new(v as usize);

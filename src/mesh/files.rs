@@ -7,75 +7,50 @@ use std::path::Path;
 use flate2::read::MultiGzDecoder;
 
 use super::error::{MeshError, Place};
-use super::{FaceList, obj, off, ply, stl};
+use super::format::Format;
+use super::polygon_mesh::Mesh;
+use super::{obj, off, ply, stl};
 
-/// A mesh file format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Wavefront OBJ.
-    Obj,
-    /// Stanford PLY.
-    Ply,
-    /// Object File Format.
-    Off,
-    /// Stereolithography; read only, welded on equal coordinates.
-    Stl,
-}
-
-impl Format {
-    /// The format by the extension of `path`, before `.gz` if it has that; `-` means OBJ.
+impl Mesh {
+    /// Reads a mesh file; `-` is standard input (OBJ). Gzip is recognised by its first bytes.
     ///
     /// # Errors
-    /// [`MeshError::UnknownFormat`] names the extension.
-    pub fn of(path: &Path) -> Result<Self, MeshError> {
+    /// What is wrong, and where in the file.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, MeshError> {
+        let path = path.as_ref();
+        let format = Format::from_path(path)?;
         if path.as_os_str() == "-" {
-            return Ok(Self::Obj);
+            return Self::read_from(&mut io::stdin().lock(), format);
         }
-        let name = if is_gzip(path) { path.file_stem().map(Path::new) } else { Some(path) };
-        let extension = name.and_then(Path::extension).unwrap_or_default().to_string_lossy();
-        match extension.to_ascii_lowercase().as_str() {
-            "obj" => Ok(Self::Obj),
-            "ply" => Ok(Self::Ply),
-            "off" => Ok(Self::Off),
-            "stl" => Ok(Self::Stl),
-            _ => Err(MeshError::UnknownFormat(path.display().to_string())),
+        if path.is_dir() {
+            return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder").into());
+        }
+        Self::read_from(&mut File::open(path)?, format)
+    }
+
+    /// Reads a mesh from `input`, plain or gzipped.
+    ///
+    /// # Errors
+    /// What is wrong, and where in the text.
+    pub fn read_from(input: &mut dyn Read, format: Format) -> Result<Self, MeshError> {
+        let mut start = Vec::new();
+        input.take(GZIP.len() as u64).read_to_end(&mut start)?;
+        let mut whole = start.as_slice().chain(input);
+        if start == GZIP {
+            // Room for the decoder to work on, or it would read byte by byte.
+            let mut decoder = MultiGzDecoder::new(BufReader::with_capacity(1 << 16, whole));
+            parse_from(&mut decoder, format).map_err(gzip_error)
+        } else {
+            parse_from(&mut whole, format)
         }
     }
-}
 
-pub(super) fn is_gzip(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gz"))
-}
-
-/// Reads a mesh file; `-` is standard input (OBJ). Gzipped content is recognised by its first bytes.
-///
-/// # Errors
-/// What is wrong, and where in the file.
-pub fn read(path: &Path) -> Result<FaceList, MeshError> {
-    let format = Format::of(path)?;
-    if path.as_os_str() == "-" {
-        return read_from(&mut io::stdin().lock(), format);
-    }
-    if path.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder").into());
-    }
-    read_from(&mut File::open(path)?, format)
-}
-
-/// Reads a mesh from what `input` gives, plain or gzipped.
-///
-/// # Errors
-/// What is wrong, and where in the text.
-pub fn read_from(input: &mut dyn Read, format: Format) -> Result<FaceList, MeshError> {
-    let mut start = Vec::new();
-    input.take(GZIP.len() as u64).read_to_end(&mut start)?;
-    let mut whole = start.as_slice().chain(input);
-    if start == GZIP {
-        // Room for the decoder to work on, or it would read byte by byte.
-        let mut decoder = MultiGzDecoder::new(BufReader::with_capacity(1 << 16, whole));
-        parse_from(&mut decoder, format).map_err(gzip_error)
-    } else {
-        parse_from(&mut whole, format)
+    /// Reads a mesh from the content of a file, plain or gzipped.
+    ///
+    /// # Errors
+    /// What is wrong, and where in `bytes`.
+    pub fn parse(bytes: &[u8], format: Format) -> Result<Self, MeshError> {
+        Self::read_from(&mut &bytes[..], format)
     }
 }
 
@@ -97,7 +72,7 @@ fn gzip_error(error: MeshError) -> MeshError {
     }
 }
 
-fn parse_from(input: &mut dyn Read, format: Format) -> Result<FaceList, MeshError> {
+fn parse_from(input: &mut dyn Read, format: Format) -> Result<Mesh, MeshError> {
     if format == Format::Obj {
         return obj::read(input);
     }
@@ -108,12 +83,4 @@ fn parse_from(input: &mut dyn Read, format: Format) -> Result<FaceList, MeshErro
         Format::Off => off::read(&bytes),
         _ => stl::read(&bytes),
     }
-}
-
-/// Reads a mesh from the content of a file, plain or gzipped.
-///
-/// # Errors
-/// What is wrong, and where in `bytes`.
-pub fn parse(bytes: &[u8], format: Format) -> Result<FaceList, MeshError> {
-    read_from(&mut &bytes[..], format)
 }

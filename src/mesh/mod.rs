@@ -2,13 +2,18 @@
 //!
 //! Readers keep the order of vertices and faces, unreferenced vertices and every f64 value; writers
 //! print values that read back to the same f64. Nothing about the mesh is judged here.
+//! Uses [`atomic_file`](crate::atomic_file) alone.
 
-mod face_list;
+mod attributes;
+mod faces;
+mod polygon_mesh;
 
 #[cfg(feature = "files")]
 mod error;
 #[cfg(feature = "files")]
 mod files;
+#[cfg(feature = "files")]
+mod format;
 #[cfg(feature = "files")]
 mod obj;
 #[cfg(feature = "files")]
@@ -22,11 +27,13 @@ mod stl;
 #[cfg(feature = "files")]
 mod tokens;
 
-pub use face_list::{Attributes, FaceList, Faces, Lines, MAX_CORNERS, NO_INDEX, Section};
+pub use attributes::{Attributes, AttributesError, FaceSection, NO_INDEX, TextList};
+pub use faces::{Faces, FacesIter, MAX_CORNERS};
+pub use polygon_mesh::Mesh;
 
 #[cfg(feature = "files")]
 pub use error::{MeshError, Place};
 #[cfg(feature = "files")]
-pub use files::{Format, parse, read, read_from};
+pub use format::Format;
 #[cfg(feature = "files")]
-pub use output::{Output, write_as};
+pub use output::Output;

@@ -6,18 +6,19 @@
 use std::io::{self, Write};
 
 use super::error::MeshError;
-use super::face_list::{FaceList, Faces, MAX_CORNERS};
+use super::faces::{Faces, MAX_CORNERS};
+use super::polygon_mesh::Mesh;
 use super::tokens::{self, Tokens};
 
 /// Reads an OFF file.
-pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut tokens = Tokens::with_comments(bytes);
     let announced = read_header_word(&mut tokens)?;
     let vertices = tokens.read("the number of vertices", tokens::count)?;
     let faces = tokens.read("the number of faces", tokens::count)?;
     tokens.skip_line(); // The number of edges, which nobody counts.
 
-    let mut mesh = FaceList::default();
+    let mut mesh = Mesh::default();
     if read_positions(&mut tokens, vertices, &mut mesh.positions)? {
         mesh.left_out = announced;
     }
@@ -165,12 +166,12 @@ mod tests {
 
     const PLAIN: &[u8] = b"OFF\n4 2 0\n0 0 0\n1 0 0\n1 1.5 0\n0 1 -2\n3 0 1 2\n4 0 1 2 3\n";
 
-    fn plain() -> FaceList {
+    fn plain() -> Mesh {
         let mut faces = Faces::default();
         faces.push(&[0, 1, 2]);
         faces.push(&[0, 1, 2, 3]);
         let positions = vec![[0., 0., 0.], [1., 0., 0.], [1., 1.5, 0.], [0., 1., -2.]];
-        FaceList { positions, faces, ..FaceList::default() }
+        Mesh::new(positions, faces)
     }
 
     fn problem(bytes: &[u8]) -> String {

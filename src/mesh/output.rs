@@ -5,8 +5,10 @@ use std::path::Path;
 
 use flate2::{Compression, GzBuilder};
 
-use super::files::is_gzip;
-use super::{FaceList, Format, MeshError, obj, off, ply};
+use super::error::MeshError;
+use super::format::{Format, is_gzip};
+use super::polygon_mesh::Mesh;
+use super::{obj, off, ply};
 use crate::atomic_file::AtomicFile;
 
 /// A mesh file to be written; made before the work starts, so that the work is not in vain.
@@ -23,8 +25,9 @@ impl Output {
     ///
     /// # Errors
     /// The format is unknown or is not written, or no file can be made in the folder.
-    pub fn create(path: &Path) -> Result<Self, MeshError> {
-        let format = Format::of(path)?;
+    pub fn create(path: impl AsRef<Path>) -> Result<Self, MeshError> {
+        let path = path.as_ref();
+        let format = Format::from_path(path)?;
         if format == Format::Stl {
             return Err(MeshError::ReadOnly("STL"));
         }
@@ -36,10 +39,10 @@ impl Output {
     ///
     /// # Errors
     /// Those of the file system; nothing is left behind then.
-    pub fn write(self, mesh: &FaceList) -> Result<(), MeshError> {
+    pub fn write(self, mesh: &Mesh) -> Result<(), MeshError> {
         let Some(mut file) = self.file else {
             let mut out = BufWriter::new(io::stdout().lock());
-            let written = write_as(self.format, &mut out, mesh).and_then(|()| Ok(out.flush()?));
+            let written = mesh.write_to(&mut out, self.format).and_then(|()| Ok(out.flush()?));
             return match written {
                 // The reader has seen enough.
                 Err(MeshError::Io(error)) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
@@ -49,25 +52,37 @@ impl Output {
         if self.gzip {
             // The header carries no time: equal meshes make equal files.
             let mut encoder = GzBuilder::new().write(&mut file, Compression::fast());
-            write_as(self.format, &mut encoder, mesh)?;
+            mesh.write_to(&mut encoder, self.format)?;
             encoder.finish()?;
         } else {
-            write_as(self.format, &mut file, mesh)?;
+            mesh.write_to(&mut file, self.format)?;
         }
         Ok(file.commit()?)
     }
 }
 
-/// Writes `mesh` in `format` to `out`, which should be buffered.
-///
-/// # Errors
-/// Those of `out`, and [`MeshError::ReadOnly`] for STL.
-pub fn write_as(format: Format, out: &mut dyn Write, mesh: &FaceList) -> Result<(), MeshError> {
-    match format {
-        Format::Obj => obj::write(out, mesh)?,
-        Format::Ply => ply::write(out, &mesh.positions, &mesh.faces)?,
-        Format::Off => off::write(out, &mesh.positions, &mesh.faces)?,
-        Format::Stl => return Err(MeshError::ReadOnly("STL")),
+impl Mesh {
+    /// Writes the mesh to `path` in the format of its extension; `-` is standard output (OBJ).
+    ///
+    /// The file appears under its name when it is complete.
+    ///
+    /// # Errors
+    /// The format is unknown or is not written, or those of the file system.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), MeshError> {
+        Output::create(path)?.write(self)
     }
-    Ok(())
+
+    /// Writes the mesh in `format` to `out`, which should be buffered.
+    ///
+    /// # Errors
+    /// Those of `out`, and [`MeshError::ReadOnly`] for STL.
+    pub fn write_to(&self, out: &mut dyn Write, format: Format) -> Result<(), MeshError> {
+        match format {
+            Format::Obj => obj::write(out, self)?,
+            Format::Ply => ply::write(out, &self.positions, &self.faces)?,
+            Format::Off => off::write(out, &self.positions, &self.faces)?,
+            Format::Stl => return Err(MeshError::ReadOnly("STL")),
+        }
+        Ok(())
+    }
 }

@@ -6,7 +6,8 @@
 use rustc_hash::FxHashMap;
 
 use super::error::{MeshError, Place};
-use super::face_list::{FaceList, MAX_CORNERS};
+use super::faces::MAX_CORNERS;
+use super::polygon_mesh::Mesh;
 use super::tokens::{self, Tokens};
 
 const HEADER_BYTES: usize = 84;
@@ -17,7 +18,7 @@ const TRIANGLE_BYTES: usize = 50;
 /// The word `solid` at the beginning proves nothing, as binary headers may hold it too. A file
 /// is binary if it is as long as a binary file should be, and else if it does not read as text
 /// and has a zero byte, as no text has.
-pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let binary = read_binary(bytes);
     if binary.is_ok() || matches!(binary, Err(MeshError::TooLarge)) {
         return binary;
@@ -26,7 +27,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
     if text.is_err() && memchr::memchr(0, bytes).is_some() { binary } else { text }
 }
 
-fn read_binary(bytes: &[u8]) -> Result<FaceList, MeshError> {
+fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let Some((header, body)) = bytes.split_first_chunk::<HEADER_BYTES>() else {
         return Err(tokens::truncated("the header"));
     };
@@ -51,7 +52,7 @@ fn read_binary(bytes: &[u8]) -> Result<FaceList, MeshError> {
     Ok(welder.finish())
 }
 
-fn read_text(bytes: &[u8]) -> Result<FaceList, MeshError> {
+fn read_text(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut tokens = Tokens::new(bytes);
     let mut welder = Welder::with_capacity(0)?;
     expect(&mut tokens, &["solid"])?;
@@ -142,8 +143,8 @@ impl Welder {
         })
     }
 
-    fn finish(self) -> FaceList {
-        FaceList::from_triangles(self.positions, self.triangles)
+    fn finish(self) -> Mesh {
+        Mesh::from_triangles(self.positions, self.triangles)
     }
 }
 

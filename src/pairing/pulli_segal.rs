@@ -269,7 +269,7 @@ mod tests {
     use triquad_generators::{classic, grids};
 
     use super::*;
-    use crate::mesh::FaceList;
+    use crate::mesh::Mesh;
     use crate::triangulation::Triangulation;
 
     /// The priority of `f` from section 3.1 to the letter, knowing only who is paired or left alone.
@@ -309,7 +309,7 @@ mod tests {
     }
 
     fn dual(surface: triquad_generators::Surface) -> DualGraph {
-        let list = FaceList::from_triangles(surface.positions, surface.triangles);
+        let list = Mesh::from_triangles(surface.positions, surface.triangles);
         DualGraph::new(&Triangulation::build(&list).unwrap())
     }
 

@@ -4,7 +4,7 @@
 //! every vertex the quads and the triangles that start there are looked up in one array over all
 //! vertices, so the check is linear and needs no hashing.
 
-use crate::mesh::{FaceList, Faces};
+use crate::mesh::{Faces, Mesh};
 
 /// What a quad mesh that passed the check looks like.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -93,13 +93,13 @@ pub enum Mismatch {
 ///
 /// # Cost
 /// O(n) time; about 40 bytes a triangle while it runs.
-pub fn check(quads: &FaceList, triangles: &FaceList) -> Result<CheckReport, Mismatch> {
-    let counts = [quads, triangles].map(|mesh| mesh.positions.len());
+pub fn check(quads: &Mesh, triangles: &Mesh) -> Result<CheckReport, Mismatch> {
+    let counts = [quads, triangles].map(|mesh| mesh.positions().len());
     if counts[0] != counts[1] {
         return Err(Mismatch::VertexCount { quads: counts[0], triangles: counts[1] });
     }
-    check_positions(&quads.positions, &triangles.positions)?;
-    check_faces(&quads.faces, &triangles.faces, triangles.positions.len())
+    check_positions(quads.positions(), triangles.positions())?;
+    check_faces(quads.faces(), triangles.faces(), triangles.positions().len())
 }
 
 /// Whether two meshes of as many vertices have them in the same places.

@@ -5,7 +5,7 @@ pub mod quality;
 mod retriangulation;
 
 use crate::dual::PerfectMatching;
-use crate::mesh::{Attributes, FaceList, Faces, NO_INDEX, Section};
+use crate::mesh::{Attributes, FaceSection, Faces, Mesh, NO_INDEX};
 use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexId};
 
 pub(crate) use check::check_faces;
@@ -72,9 +72,9 @@ impl Quadrangulation {
         &self,
         paired: &Triangulation,
         input: &Triangulation,
-        list: &FaceList,
+        list: &Mesh,
     ) -> Option<Attributes> {
-        let given = list.attributes.as_deref()?;
+        let given = list.attributes()?;
         let corners = CornerFinder::new(input);
         let sources: Vec<_> = self
             .removed
@@ -96,9 +96,9 @@ impl Quadrangulation {
         })
     }
 
-    fn carry_sections(&self, given: &[Section]) -> Vec<Section> {
+    fn carry_sections(&self, given: &[FaceSection]) -> Vec<FaceSection> {
         let quad_at = |face: usize| self.removed.partition_point(|side| (side.0 / 3) < face as u32);
-        let carry = |section: &Section| Section {
+        let carry = |section: &FaceSection| FaceSection {
             first_face: quad_at(section.first_face),
             line: section.line.clone(),
         };

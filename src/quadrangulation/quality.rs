@@ -1,7 +1,7 @@
 //! How well quads are shaped: the scaled Jacobian, as in the Verdict library (Stimpson et al., *The
 //! Verdict Geometric Quality Library*, SAND2007-1751), of which no rounding differs between machines.
 
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 
 /// Classes of equal width from -1 to 1 in [`Quality::histogram`].
 pub const CLASSES: usize = 20;
@@ -19,12 +19,12 @@ pub struct Quality {
 
 impl Quality {
     /// Measures all faces of four corners of `mesh`, which must exist. O(n).
-    pub fn of(mesh: &FaceList) -> Self {
+    pub fn new(mesh: &Mesh) -> Self {
         let mut histogram = [0; CLASSES];
         let (mut least, mut sum, mut count) = (f64::INFINITY, 0.0, 0);
-        for face in mesh.faces.iter() {
+        for face in mesh.faces().iter() {
             let Ok(&quad) = <&[u32; 4]>::try_from(face) else { continue };
-            let value = scaled_jacobian(quad.map(|v| mesh.positions[v as usize]));
+            let value = scaled_jacobian(quad.map(|v| mesh.positions()[v as usize]));
             let class = ((value + 1.0) * (CLASSES as f64 / 2.0)) as usize;
             histogram[class.min(CLASSES - 1)] += 1;
             least = least.min(value);
@@ -103,11 +103,11 @@ mod tests {
     fn all_quads_are_counted_once() {
         let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         let faces = Faces::uniform(4, vec![0, 1, 2, 3, 0, 0, 0, 0]);
-        let quality = Quality::of(&FaceList { positions, faces, ..FaceList::default() });
+        let quality = Quality::new(&Mesh::new(positions, faces));
         let mut histogram = [0; CLASSES];
         (histogram[19], histogram[10]) = (1, 1);
         assert_eq!(quality, Quality { minimum: 0.0, mean: 0.5, histogram });
-        let none = Quality::of(&FaceList::default());
+        let none = Quality::new(&Mesh::default());
         assert_eq!((none.minimum, none.mean), (0.0, 0.0));
     }
 }

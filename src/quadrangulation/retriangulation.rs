@@ -2,7 +2,7 @@
 
 use super::check::{Mismatch, check_positions, require_arity};
 use crate::disjoint_sets::ParitySets;
-use crate::mesh::{FaceList, Faces};
+use crate::mesh::{Faces, Mesh};
 
 /// Checks that `triangles` triangulates the surface that `given` does, on the same vertices: each
 /// component has the same vertices and the same number of triangles, so the same genus.
@@ -14,13 +14,13 @@ use crate::mesh::{FaceList, Faces};
 ///
 /// # Cost
 /// O(n log n), linear in practice; 26 bytes a vertex.
-pub fn check_retriangulation(triangles: &FaceList, given: &FaceList) -> Result<(), Mismatch> {
-    let counts = [triangles, given].map(|mesh| mesh.positions.len());
+pub fn check_retriangulation(triangles: &Mesh, given: &Mesh) -> Result<(), Mismatch> {
+    let counts = [triangles, given].map(|mesh| mesh.positions().len());
     if counts[0] != counts[1] {
         return Err(Mismatch::TriangulationVertexCount { paired: counts[0], given: counts[1] });
     }
-    check_positions(&triangles.positions, &given.positions)?;
-    check_retriangulated_faces(&triangles.faces, &given.faces, given.positions.len())
+    check_positions(triangles.positions(), given.positions())?;
+    check_retriangulated_faces(triangles.faces(), given.faces(), given.positions().len())
 }
 
 /// Like [`check_retriangulation`], for meshes over the same `vertices` positions.

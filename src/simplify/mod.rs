@@ -22,7 +22,7 @@ use vector::{Vector, cross, difference, scaled};
 
 pub use shape::Shape;
 
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 use crate::triangulation::{
     HalfEdgeId, Id, IdVec, LinkMarks, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
 };
@@ -58,7 +58,7 @@ pub enum SimplifyError {
 /// machine. A vertex costs about 220 bytes, the triangulation (56 of them) included.
 ///
 /// ```
-/// # use triquad::{Triangulation, mesh::FaceList, simplify::Simplifier};
+/// # use triquad::{Triangulation, mesh::Mesh, simplify::Simplifier};
 /// # let octahedron = vec![
 /// #     [0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5],
 /// # ];
@@ -66,12 +66,12 @@ pub enum SimplifyError {
 /// #     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0],
 /// #     [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0],
 /// # ];
-/// # let list = FaceList::from_triangles(positions, octahedron);
+/// # let list = Mesh::from_triangles(positions, octahedron);
 /// let triangulation = Triangulation::build(&list)?;
-/// let mut simplifier = Simplifier::new(triangulation, &list.positions);
+/// let mut simplifier = Simplifier::new(triangulation, list.positions());
 /// simplifier.reduce_to(5)?;
 /// let (five, triangulation) = simplifier.result();
-/// assert_eq!((five.positions.len(), triangulation.genus()), (5, 0));
+/// assert_eq!((five.positions().len(), triangulation.genus()), (5, 0));
 /// simplifier.reduce_to(4)?; // goes on where it was
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -147,13 +147,13 @@ impl Simplifier {
 
     /// The vertices and triangles left, in their old order. O(n + m log m) for n vertices of the input
     /// and m left.
-    pub fn result(&self) -> (FaceList, Triangulation) {
+    pub fn result(&self) -> (Mesh, Triangulation) {
         let (survivors, triangulation) = self.triangulation.survivors();
         let position = |&v: &VertexId| scaled(self.points[v].position, self.scale);
         let positions = survivors.iter().map(position).collect();
         let corners = |f| triangulation.corners(f).map(|v| v.index() as u32);
         let triangles = triangulation.triangles().map(corners).collect();
-        (FaceList::from_triangles(positions, triangles), triangulation)
+        (Mesh::from_triangles(positions, triangles), triangulation)
     }
 
     /// Contracts an edge, or says when to try again.

@@ -1,7 +1,7 @@
 //! What triangles and degrees a contraction may leave, and those of the result.
 
 use super::vector::{Vector, cross, difference, dot, square};
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 
 /// What a contraction must keep to; relaxed in stages where nothing else is left.
 #[derive(Clone, Copy, Debug)]
@@ -82,14 +82,14 @@ impl Shape {
     ///
     /// # Panics
     /// If `list` holds anything but triangles of its vertices.
-    pub fn of(list: &FaceList) -> Self {
-        assert_eq!(list.faces.arity(), Some(3), "only triangles have a shape");
-        let mut degrees = vec![0u32; list.positions.len()];
+    pub fn of(list: &Mesh) -> Self {
+        assert_eq!(list.faces().arity(), Some(3), "only triangles have a shape");
+        let mut degrees = vec![0u32; list.positions().len()];
         let (mut smallest, mut largest) = (-1.0f64, 1.0f64);
-        for corners in list.faces.corners().as_chunks::<3>().0 {
+        for corners in list.faces().corners().as_chunks::<3>().0 {
             let corners = corners.map(|v| v as usize);
             corners.iter().for_each(|&v| degrees[v] += 1);
-            let [p, q, r] = corners.map(|v| list.positions[v]);
+            let [p, q, r] = corners.map(|v| list.positions()[v]);
             let cosines = [cosine_at(p, q, r), cosine_at(q, r, p), cosine_at(r, p, q)];
             for cosine in cosines {
                 match cosine {

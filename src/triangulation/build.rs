@@ -6,7 +6,7 @@
 
 use super::laws::is_too_large;
 use super::{HalfEdgeId, Id, IdVec, Side, Survey, Triangulation, VertexId};
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 
 impl Triangulation {
     /// Checks every law of Definition 2.2 on `list` and builds the half-edge structure.
@@ -17,7 +17,7 @@ impl Triangulation {
     /// # Cost
     /// O(n) time but for the count of components, O(n log n) in the worst case and linear in practice;
     /// no hashing. 40 bytes a triangle while it runs and 24 afterwards, the list not counted.
-    pub fn build(list: &FaceList) -> Result<Self, Box<Survey>> {
+    pub fn build(list: &Mesh) -> Result<Self, Box<Survey>> {
         try_build(list).ok_or_else(|| {
             let survey = Survey::of(list);
             assert!(!survey.violations.is_empty(), "a mesh was refused that breaks no law");
@@ -30,7 +30,7 @@ impl Triangulation {
     ///
     /// # Errors
     /// As for [`Triangulation::build`].
-    pub fn build_oriented(list: &mut FaceList, flip_faces: bool) -> Result<Self, Box<Survey>> {
+    pub fn build_oriented(list: &mut Mesh, flip_faces: bool) -> Result<Self, Box<Survey>> {
         match Self::build(list) {
             Err(survey) if flip_faces && survey.only_orientation_is_wrong() => {
                 survey.orient(list);
@@ -42,13 +42,13 @@ impl Triangulation {
 }
 
 /// The triangulation, or `None` as soon as any law is seen to be broken.
-fn try_build(list: &FaceList) -> Option<Triangulation> {
-    let corners = list.faces.corners();
-    let vertices = list.positions.len();
+fn try_build(list: &Mesh) -> Option<Triangulation> {
+    let corners = list.faces().corners();
+    let vertices = list.positions().len();
     let sizes_fit = !corners.is_empty() && !is_too_large(vertices, corners.len());
-    let triangles = list.faces.arity() == Some(3);
+    let triangles = list.faces().arity() == Some(3);
     let in_range = corners.iter().all(|&vertex| (vertex as usize) < vertices);
-    let finite = list.positions.as_flattened().iter().all(|coordinate| coordinate.is_finite());
+    let finite = list.positions().as_flattened().iter().all(|coordinate| coordinate.is_finite());
     if !(sizes_fit && triangles && in_range && finite) {
         return None;
     }

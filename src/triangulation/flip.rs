@@ -123,7 +123,7 @@ fn flip(sides: &mut IdVec<HalfEdgeId, Side>, s: HalfEdgeId) -> Moves {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::FaceList;
+    use crate::mesh::Mesh;
 
     #[test]
     fn flips_turn_by_a_quarter() {
@@ -137,7 +137,7 @@ mod tests {
             [3, 1, 5],
             [0, 3, 5],
         ];
-        let octahedron = FaceList::from_triangles(vec![[0.0; 3]; 6], corners);
+        let octahedron = Mesh::from_triangles(vec![[0.0; 3]; 6], corners);
         let given = Triangulation::build(&octahedron).unwrap();
         for h in given.triangles().flat_map(|f| f.half_edges()) {
             let mut turned = given.clone();
@@ -146,7 +146,7 @@ mod tests {
                 let [.., (from, to), _] = turned.flip(at);
                 assert_eq!(from, at);
                 at = to;
-                let list = FaceList { faces: turned.faces(), ..octahedron.clone() };
+                let list = octahedron.clone().with_faces(turned.faces());
                 // The other diagonal joins two opposite corners of the octahedron.
                 assert_eq!(Triangulation::build(&list).unwrap(), turned, "{quarter}");
             }

@@ -5,7 +5,7 @@
 
 use super::laws::{Element, Law, Violation, is_too_large};
 use crate::disjoint_sets::ParitySets;
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 
 /// Counts and broken laws of a mesh that may be anything.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,11 +50,11 @@ impl std::fmt::Display for Survey {
 
 impl Survey {
     /// Examines every face, edge and vertex of `list`. O(n log n) time, about 100 bytes a triangle.
-    pub fn of(list: &FaceList) -> Self {
+    pub fn of(list: &Mesh) -> Self {
         let mut violations = Violations::default();
-        if is_too_large(list.positions.len(), list.faces.corners().len()) {
+        if is_too_large(list.positions().len(), list.faces().corners().len()) {
             // Nothing below can count so far; the counts are those of an empty mesh.
-            let mut survey = Self::of(&FaceList::default());
+            let mut survey = Self::of(&Mesh::default());
             survey.violations =
                 vec![Violation { law: Law::NotTooLarge, element: Element::Mesh, count: 1 }];
             return survey;
@@ -68,14 +68,14 @@ impl Survey {
 
         let connected = Connected::of(list, &sound, &edges);
         let degenerate = sound.iter().filter(|sound| !**sound).count();
-        let counted_faces = list.faces.len() - degenerate;
+        let counted_faces = list.faces().len() - degenerate;
         let edge_count = edges.groups().count();
         Self {
             vertices: connected.vertices,
-            unreferenced_vertices: list.positions.len() - connected.vertices,
+            unreferenced_vertices: list.positions().len() - connected.vertices,
             edges: edge_count,
-            faces: list.faces.len(),
-            triangles: list.faces.iter().filter(|face| face.len() == 3).count(),
+            faces: list.faces().len(),
+            triangles: list.faces().iter().filter(|face| face.len() == 3).count(),
             euler_characteristic: connected.vertices as i64 - edge_count as i64
                 + counted_faces as i64,
             components: connected.components,
@@ -98,7 +98,7 @@ impl Survey {
     /// Flips the faces of `list`, the mesh surveyed, that disagree with most of their component.
     ///
     /// Faces keep their first corner. O(n).
-    pub fn orient(&self, list: &mut FaceList) {
+    pub fn orient(&self, list: &mut Mesh) {
         for &face in &self.faces_to_flip {
             list.reverse_face(face);
         }
@@ -134,17 +134,17 @@ impl Violations {
 
 /// Checks vertices and faces one by one; tells which faces have at least three distinct, existing
 /// corners, so that the surface can be studied without the others.
-fn sound_faces(list: &FaceList, violations: &mut Violations) -> Vec<bool> {
-    if list.faces.is_empty() {
+fn sound_faces(list: &Mesh, violations: &mut Violations) -> Vec<bool> {
+    if list.faces().is_empty() {
         violations.add(Law::NotEmpty, Element::Mesh);
     }
-    for (v, position) in list.positions.iter().enumerate() {
+    for (v, position) in list.positions().iter().enumerate() {
         if !position.iter().all(|coordinate| coordinate.is_finite()) {
             violations.add(Law::FiniteCoordinate, Element::Vertex(v as u32));
         }
     }
     let check_face = |(face, corners): (usize, &[u32])| {
-        let in_range = corners.iter().all(|&v| (v as usize) < list.positions.len());
+        let in_range = corners.iter().all(|&v| (v as usize) < list.positions().len());
         let distinct = all_distinct(corners);
         let laws = [
             (in_range, Law::IndexInRange),
@@ -156,7 +156,7 @@ fn sound_faces(list: &FaceList, violations: &mut Violations) -> Vec<bool> {
         }
         in_range && distinct && corners.len() >= 3
     };
-    list.faces.iter().enumerate().map(check_face).collect()
+    list.faces().iter().enumerate().map(check_face).collect()
 }
 
 fn all_distinct(corners: &[u32]) -> bool {
@@ -170,16 +170,16 @@ fn all_distinct(corners: &[u32]) -> bool {
     }
 }
 
-fn find_duplicates(list: &FaceList, sound: &[bool], violations: &mut Violations) {
+fn find_duplicates(list: &Mesh, sound: &[bool], violations: &mut Violations) {
     let sorted_corners = |face: usize| {
-        let mut corners = list.faces.get(face).to_vec();
+        let mut corners = list.faces().get(face).to_vec();
         corners.sort_unstable();
         corners
     };
     // A sum does not depend on the order of the corners; equal sums are looked at more closely.
     let scramble =
         |&v: &u32| (u64::from(v) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
-    let key = |face: usize| list.faces.get(face).iter().map(scramble).fold(0, u64::wrapping_add);
+    let key = |face: usize| list.faces().get(face).iter().map(scramble).fold(0, u64::wrapping_add);
     let mut keyed: Vec<(u64, usize)> =
         (0..sound.len()).filter(|&face| sound[face]).map(|face| (key(face), face)).collect();
     keyed.sort_unstable();
@@ -212,11 +212,11 @@ struct Side {
 struct Edges(Vec<Side>);
 
 impl Edges {
-    fn gather(list: &FaceList, sound: &[bool]) -> Self {
-        let corners = list.faces.corners();
+    fn gather(list: &Mesh, sound: &[bool]) -> Self {
+        let corners = list.faces().corners();
         let mut sides = Vec::with_capacity(corners.len());
         for face in (0..sound.len()).filter(|&face| sound[face]) {
-            let range = list.faces.range(face);
+            let range = list.faces().range(face);
             for from in range.clone() {
                 let to = if from + 1 == range.end { range.start } else { from + 1 };
                 let (a, b) = (corners[from], corners[to]);
@@ -258,11 +258,11 @@ struct Sides {
 }
 
 impl Sides {
-    fn of(list: &FaceList, edges: &Edges, violations: &mut Violations) -> Self {
-        let corners = list.faces.corners();
+    fn of(list: &Mesh, edges: &Edges, violations: &mut Violations) -> Self {
+        let corners = list.faces().corners();
         let agree =
             |one: &Side, other: &Side| corners[one.from as usize] != corners[other.from as usize];
-        let mut sets = ParitySets::new(list.faces.len());
+        let mut sets = ParitySets::new(list.faces().len());
         let mut twisted = Vec::new();
         let mut disagreeing = Vec::new();
         for (one, other) in edges.pairs() {
@@ -278,7 +278,7 @@ impl Sides {
         for side in &twisted {
             violations.add(Law::Orientable, Element::Edge(side.low, side.high));
         }
-        let mut one_sided = vec![false; list.faces.len()];
+        let mut one_sided = vec![false; list.faces().len()];
         for side in twisted {
             one_sided[sets.find(side.face).0 as usize] = true;
         }
@@ -287,7 +287,7 @@ impl Sides {
         for side in disagreeing {
             violations.add(Law::ConsistentOrientation, Element::Edge(side.low, side.high));
         }
-        Self { faces_to_flip: fewest_flips(&mut sets, list.faces.len()) }
+        Self { faces_to_flip: fewest_flips(&mut sets, list.faces().len()) }
     }
 }
 
@@ -315,8 +315,8 @@ fn fewest_flips(sets: &mut ParitySets, faces: usize) -> Vec<usize> {
 }
 
 /// Reports vertices whose faces, joined across edges of two faces, form more than one fan.
-fn check_fans(list: &FaceList, edges: &Edges, violations: &mut Violations) {
-    let corners = list.faces.corners();
+fn check_fans(list: &Mesh, edges: &Edges, violations: &mut Violations) {
+    let corners = list.faces().corners();
     let vertex = |corner: u32| corners[corner as usize];
     let mut fans = ParitySets::new(corners.len());
     for (one, other) in edges.pairs() {
@@ -328,7 +328,7 @@ fn check_fans(list: &FaceList, edges: &Edges, violations: &mut Violations) {
         fans.join(one.from, first, false);
         fans.join(one.to, second, false);
     }
-    let mut fan_count = vec![0u32; list.positions.len()];
+    let mut fan_count = vec![0u32; list.positions().len()];
     for side in &edges.0 {
         if fans.find(side.from).0 == side.from {
             fan_count[vertex(side.from) as usize] += 1;
@@ -347,12 +347,12 @@ struct Connected {
 }
 
 impl Connected {
-    fn of(list: &FaceList, sound: &[bool], edges: &Edges) -> Self {
-        let count = list.positions.len();
+    fn of(list: &Mesh, sound: &[bool], edges: &Edges) -> Self {
+        let count = list.positions().len();
         let mut used = vec![false; count];
         let mut sets = ParitySets::new(count);
         for face in (0..sound.len()).filter(|&face| sound[face]) {
-            let corners = list.faces.get(face);
+            let corners = list.faces().get(face);
             for &v in corners {
                 used[v as usize] = true;
                 sets.join(corners[0], v, false);

@@ -4,12 +4,12 @@ use std::collections::{HashMap, HashSet};
 
 use proptest::prelude::*;
 use triquad::clock::SteppingClock;
-use triquad::mesh::{FaceList, Faces};
+use triquad::mesh::{Faces, Mesh};
 use triquad::pairing::lrs;
 use triquad::triangulation::Id;
 use triquad::{
-    Algorithm, Augmentation, Conversion, Expansion, Mismatch, Quadrangulation, Settings,
-    Triangulation, check, check_retriangulation, convert, convert_list, convert_timed,
+    Algorithm, Augmentation, Converter, Expansion, Mismatch, Quadrangulated, Quadrangulation,
+    Triangulation, check, check_retriangulation,
 };
 use triquad_generators::{Surface, classic, grids};
 
@@ -19,8 +19,28 @@ fn all_settings(seed: u64) -> impl Iterator<Item = Settings> {
     pairs.map(move |(algorithm, augmentation)| Settings { algorithm, augmentation, seed })
 }
 
-fn with_quads(list: &FaceList, quads: Vec<[u32; 4]>) -> FaceList {
-    FaceList { faces: Faces::uniform(4, quads.into_flattened()), ..list.clone() }
+/// One way to convert.
+#[derive(Clone, Copy, Debug)]
+struct Settings {
+    algorithm: Algorithm,
+    augmentation: Augmentation,
+    seed: u64,
+}
+
+impl Settings {
+    fn converter<'a>(self) -> Converter<'a> {
+        let Self { algorithm, augmentation, seed } = self;
+        Converter::new().algorithm(algorithm).augmentation(augmentation).seed(seed)
+    }
+}
+
+/// The quads of a triangulation by the default algorithm.
+fn quads_of(triangulation: &Triangulation) -> Vec<[u32; 4]> {
+    corners(&Converter::new().quadrangulate(triangulation).unwrap().quadrangulation)
+}
+
+fn with_quads(list: &Mesh, quads: Vec<[u32; 4]>) -> Mesh {
+    list.clone().with_faces(Faces::uniform(4, quads.into_flattened()))
 }
 
 fn corners(quadrangulation: &Quadrangulation) -> Vec<[u32; 4]> {
@@ -29,13 +49,13 @@ fn corners(quadrangulation: &Quadrangulation) -> Vec<[u32; 4]> {
 
 /// The definition, with hash maps: every quad is two triangles across an edge, each used once, and
 /// the quads close up, oriented, with one fan round every vertex.
-fn assert_quadrangulation(triangles: &FaceList, quads: &[[u32; 4]]) {
+fn assert_quadrangulation(triangles: &Mesh, quads: &[[u32; 4]]) {
     let turned = |t: [u32; 3]| {
         let least = (0..3).min_by_key(|&i| t[i]).unwrap();
         [t[least], t[(least + 1) % 3], t[(least + 2) % 3]]
     };
     let mut left: HashSet<[u32; 3]> =
-        triangles.faces.corners().as_chunks().0.iter().copied().map(turned).collect();
+        triangles.faces().corners().as_chunks().0.iter().copied().map(turned).collect();
     for &[a, b, c, d] in quads {
         let cuts = [[[a, b, c], [c, d, a]], [[b, c, d], [d, a, b]]].map(|cut| cut.map(turned));
         let cut = cuts.iter().find(|cut| cut.iter().all(|t| left.contains(t)));
@@ -75,10 +95,10 @@ fn assert_quadrangulation(triangles: &FaceList, quads: &[[u32; 4]]) {
 /// The triangles that were paired triangulate the surface of the input and have all its edges but
 /// those flipped; few of them are left for the augmentation if the algorithm promises so.
 fn assert_same_surface(
-    conversion: &Conversion<'_>,
+    conversion: &Quadrangulated<'_>,
     input: &Triangulation,
-    paired: &FaceList,
-    list: &FaceList,
+    paired: &Mesh,
+    list: &Mesh,
 ) {
     let rebuilt = Triangulation::build(paired).expect("a triangulation");
     assert_eq!(rebuilt, *conversion.triangulation);
@@ -88,15 +108,15 @@ fn assert_same_surface(
         sides.map(|h| [t.origin(h), t.origin(h.next())]).collect()
     };
     let new = edges(&rebuilt).difference(&edges(input)).count();
-    assert_eq!(new, 2 * conversion.edge_flips);
+    assert_eq!(new, 2 * conversion.report.edge_flips);
 }
 
 fn assert_converts(surface: &Surface, settings: &Settings) {
     let list = crate::common::face_list(surface);
     let triangulation = Triangulation::build(&list).unwrap();
-    let conversion = convert_timed(&triangulation, settings, &SteppingClock::new(1.0), &mut ());
+    let conversion = settings.converter().quadrangulate(&triangulation).unwrap();
     let quads = corners(&conversion.quadrangulation);
-    let paired = FaceList { faces: conversion.triangulation.faces(), ..list.clone() };
+    let paired = list.clone().with_faces(conversion.triangulation.faces());
     assert_quadrangulation(&paired, &quads);
     assert_same_surface(&conversion, &triangulation, &paired, &list);
     let degree_two = {
@@ -130,8 +150,8 @@ fn a_seed_fixes_the_result_and_another_changes_it() {
     let triangulation = Triangulation::build(&crate::common::face_list(&surface)).unwrap();
     for algorithm in Algorithm::ALL {
         let quads = |seed| {
-            let settings = Settings { algorithm, seed, ..Settings::default() };
-            corners(&convert(&triangulation, &settings))
+            let settings = Settings { algorithm, augmentation: Augmentation::Local, seed };
+            corners(&settings.converter().quadrangulate(&triangulation).unwrap().quadrangulation)
         };
         assert_eq!(quads(1), quads(1));
         let draws = matches!(algorithm, Algorithm::SimpleGreedy | Algorithm::PulliSegal);
@@ -162,9 +182,9 @@ fn a_retriangulation_has_the_same_components_on_the_same_vertices() {
     let (torus, sphere) = (grids::torus(5, 4), grids::sphere(3));
     let given = list(&crate::common::beside(&torus, &sphere));
     let changed = |change: &dyn Fn(&mut Vec<[u32; 3]>)| {
-        let mut triangles = given.faces.corners().as_chunks().0.to_vec();
+        let mut triangles = given.faces().corners().as_chunks().0.to_vec();
         change(&mut triangles);
-        let other = FaceList::from_triangles(given.positions.clone(), triangles);
+        let other = Mesh::from_triangles(given.positions().to_vec(), triangles);
         check_retriangulation(&other, &given)
     };
     assert_eq!(changed(&|_| ()), Ok(()));
@@ -176,11 +196,11 @@ fn a_retriangulation_has_the_same_components_on_the_same_vertices() {
     assert!(matches!(bridged, Err(Mismatch::Component(0))));
     assert_eq!(changed(&|all| all[3][1] = 999), Err(Mismatch::BadTriangle(3)));
     let mut moved = given.clone();
-    moved.positions[2][0] += 1.0;
+    moved.positions_mut()[2][0] += 1.0;
     assert_eq!(check_retriangulation(&moved, &given), Err(Mismatch::Moved(2)));
-    let mut longer = given.clone();
-    longer.positions.push([0.0; 3]);
-    let counts = [longer.positions.len(), given.positions.len()];
+    let more = [given.positions(), &[[0.0; 3]]].concat();
+    let longer = Mesh::new(more, given.faces().clone());
+    let counts = [longer.positions().len(), given.positions().len()];
     let expected = Mismatch::TriangulationVertexCount { paired: counts[0], given: counts[1] };
     assert_eq!(check_retriangulation(&longer, &given), Err(expected));
     assert!(!expected.to_string().contains("quad"), "{expected}");
@@ -197,24 +217,20 @@ fn a_large_regular_torus_is_paired_almost_fully() {
 
 #[test]
 fn unreferenced_vertices_are_kept() {
-    let mut list = crate::common::face_list(&grids::sphere(4));
-    list.positions.extend([[7.0; 3], [-0.0; 3]]);
-    let (quads, summary) = convert_list(
-        list.clone(),
-        false,
-        &Settings::default(),
-        &triquad::clock::SteppingClock::new(0.5),
-        &mut (),
-    )
-    .unwrap();
-    assert_eq!(quads.positions, list.positions);
+    let sphere = crate::common::face_list(&grids::sphere(4));
+    let more = [sphere.positions(), &[[7.0; 3], [-0.0; 3]]].concat();
+    let list = Mesh::new(more, sphere.faces().clone());
+    let clock = SteppingClock::new(0.5);
+    let converted = Converter::new().clock(&clock).run(&list).unwrap();
+    let (quads, report) = (converted.mesh(), converted.report());
+    assert_eq!(quads.positions(), list.positions());
     assert_eq!(
-        (summary.vertices, summary.check.quads),
-        (list.positions.len() - 2, list.faces.len() / 2)
+        (report.vertices, report.quads),
+        (list.positions().len() - 2, list.faces().len() / 2)
     );
-    assert_eq!(summary.build_seconds, 0.5);
-    assert_eq!(summary.total_seconds(), 1.0);
-    assert!(check(&quads, &list).is_ok());
+    assert_eq!(report.build_seconds, 0.5);
+    assert_eq!(report.total_seconds(), 1.0);
+    assert!(check(quads, &list).is_ok());
 }
 
 #[test]
@@ -222,7 +238,7 @@ fn the_check_names_what_is_wrong() {
     let surface = grids::torus(6, 5);
     let list = crate::common::face_list(&surface);
     let triangulation = Triangulation::build(&list).unwrap();
-    let good = corners(&convert(&triangulation, &Settings::default()));
+    let good = quads_of(&triangulation);
     let verdict = |change: &dyn Fn(&mut Vec<[u32; 4]>)| {
         let mut quads = good.clone();
         change(&mut quads);
@@ -242,18 +258,18 @@ fn the_check_names_what_is_wrong() {
     assert_eq!(verdict(&|quads| quads[4][0] = 999), Mismatch::NotAQuad(4));
 
     let other = crate::common::face_list(&classic::octahedron());
-    let quads_of_other =
-        corners(&convert(&Triangulation::build(&other).unwrap(), &Settings::default()));
+    let quads_of_other = quads_of(&Triangulation::build(&other).unwrap());
     let turned = quads_of_other.iter().map(|&[a, b, c, d]| [b, c, d, a]).collect();
     assert!(
         check(&with_quads(&other, turned), &other).is_ok(),
         "where a quad starts does not matter"
     );
     let mut moved = with_quads(&other, quads_of_other);
-    moved.positions[5][2] = 2.0;
+    moved.positions_mut()[5][2] = 2.0;
     assert_eq!(check(&moved, &other), Err(Mismatch::Moved(5)));
-    moved.positions.pop();
-    assert_eq!(check(&moved, &other), Err(Mismatch::VertexCount { quads: 5, triangles: 6 }));
+    let (positions, faces) = moved.into_parts();
+    let shorter = Mesh::new(positions[..5].to_vec(), faces);
+    assert_eq!(check(&shorter, &other), Err(Mismatch::VertexCount { quads: 5, triangles: 6 }));
 }
 
 #[test]
@@ -266,7 +282,7 @@ fn a_quad_may_be_cut_along_either_diagonal_but_its_triangles_must_exist() {
             if face == other_diagonal { [[a, b, d], [b, c, d]] } else { [[a, b, c], [a, c, d]] }
         };
         let triangles = cube.iter().enumerate().flat_map(halves).collect();
-        FaceList::from_triangles(positions.clone(), triangles)
+        Mesh::from_triangles(positions.clone(), triangles)
     };
     for other_diagonal in 0..6 {
         let triangles = cut(other_diagonal);
@@ -294,8 +310,8 @@ proptest! {
         (quad, corner, vertex) in (any::<usize>(), 0..4usize, any::<u32>()),
     ) {
         let list = crate::common::face_list(&surface);
-        let mut quads = corners(&convert(&Triangulation::build(&list).unwrap(), &Settings::default()));
-        let (quad, vertex) = (quad % quads.len(), vertex % list.positions.len() as u32);
+        let mut quads = quads_of(&Triangulation::build(&list).unwrap());
+        let (quad, vertex) = (quad % quads.len(), vertex % list.positions().len() as u32);
         prop_assume!(quads[quad][corner] != vertex);
         quads[quad][corner] = vertex;
         prop_assert!(check(&with_quads(&list, quads), &list).is_err());

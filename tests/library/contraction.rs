@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
+use triquad::Mesh;
 use triquad::Triangulation;
-use triquad::mesh::FaceList;
 use triquad::random::Random;
 use triquad::triangulation::{HalfEdgeId, Id, LinkMarks, ShrinkingTriangulation, VertexId};
 use triquad_generators::Surface;
@@ -28,13 +28,12 @@ fn contraction_is_valid(k: &ShrinkingTriangulation, h: HalfEdgeId) -> bool {
     let [u, v] = [k.origin(h), k.destination(h)].map(|end| end.index() as u32);
     let moved = triangles(k).into_iter().map(|t| t.map(|w| if w == v { u } else { w }));
     let left: Vec<_> = moved.filter(|[a, b, c]| a != b && b != c && c != a).collect();
-    Triangulation::build(&FaceList::from_triangles(vec![[0.0; 3]; k.vertex_id_count()], left))
-        .is_ok()
+    Triangulation::build(&Mesh::from_triangles(vec![[0.0; 3]; k.vertex_id_count()], left)).is_ok()
 }
 
 /// Twins, stars, degrees and counts as brute force finds them.
 fn assert_right(k: &ShrinkingTriangulation) {
-    let list = FaceList::from_triangles(vec![[0.0; 3]; k.vertex_id_count()], triangles(k));
+    let list = Mesh::from_triangles(vec![[0.0; 3]; k.vertex_id_count()], triangles(k));
     let rebuilt = Triangulation::build(&list).expect("still a triangulation");
     assert_eq!(rebuilt.vertex_count(), k.vertex_count());
     let mut stars = vec![BTreeSet::new(); k.vertex_id_count()];

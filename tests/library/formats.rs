@@ -8,10 +8,9 @@ use std::path::{Path, PathBuf};
 use crate::common::{face_list, random_of, special_surfaces};
 use flate2::read::MultiGzDecoder;
 use proptest::prelude::*;
-use triquad::clock::SystemClock;
-use triquad::mesh::{self, Attributes, FaceList, Format, Output, Section};
+use triquad::mesh::{self, Attributes, FaceSection, Faces, Format, Mesh, Output};
 use triquad::random::Random;
-use triquad::{Algorithm, Settings, Survey, Triangulation, convert, convert_list};
+use triquad::{Algorithm, Converter, Survey, Triangulation};
 use triquad_generators::random::Mix;
 use triquad_generators::{Surface, classic, grids};
 
@@ -28,10 +27,8 @@ fn surfaces() -> Vec<(String, Surface)> {
 }
 
 /// The vertices of `triangles` with the quads that the default settings make.
-fn quads_of(triangles: &FaceList) -> FaceList {
-    let triangulation = Triangulation::build(triangles).expect("a closed surface");
-    let faces = convert(&triangulation, &Settings::default()).faces();
-    FaceList { positions: triangles.positions.clone(), faces, ..FaceList::default() }
+fn quads_of(triangles: &Mesh) -> Mesh {
+    Converter::new().run(triangles).expect("a closed surface").into_mesh()
 }
 
 /// Numbers that are easily lost on the way through a text or through 32 bits.
@@ -72,10 +69,10 @@ fn any_finite(random: &mut Random) -> f64 {
 }
 
 /// Writes `mesh` to a file of that name and reads the file.
-fn through_file(mesh: &FaceList, folder: &Path, name: &str) -> FaceList {
+fn through_file(mesh: &Mesh, folder: &Path, name: &str) -> Mesh {
     let path = folder.join(name);
     Output::create(&path).unwrap().write(mesh).unwrap();
-    mesh::read(&path).unwrap_or_else(|error| panic!("{name}: {error}"))
+    Mesh::read(&path).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 /// Coordinates as bits, which tell -0 from 0.
@@ -83,9 +80,9 @@ fn bits(positions: &[[f64; 3]]) -> Vec<[u64; 3]> {
     positions.iter().map(|position| position.map(f64::to_bits)).collect()
 }
 
-fn assert_same(read: &FaceList, written: &FaceList, what: &str) {
-    assert_eq!(bits(&read.positions), bits(&written.positions), "positions of {what}");
-    assert_eq!(read.faces, written.faces, "faces of {what}");
+fn assert_same(read: &Mesh, written: &Mesh, what: &str) {
+    assert_eq!(bits(read.positions()), bits(written.positions()), "positions of {what}");
+    assert_eq!(read.faces(), written.faces(), "faces of {what}");
 }
 
 #[test]
@@ -96,13 +93,13 @@ fn what_is_written_reads_back_to_the_last_bit() {
         // As they are, some meshes fit the 32-bit numbers of a PLY file; made awkward, none does.
         for awkward in [false, true] {
             if awkward {
-                make_awkward(&mut triangles.positions, &mut Random::stream(0, &[&name]));
+                make_awkward(triangles.positions_mut(), &mut Random::stream(0, &[&name]));
             }
             for (kind, mesh) in [("triangles", &triangles), ("quads", &quads_of(&triangles))] {
                 for extension in ["obj", "ply", "off", "obj.gz", "ply.gz", "OFF.GZ"] {
                     let read = through_file(mesh, folder.path(), &format!("mesh.{extension}"));
                     assert_same(&read, mesh, &format!("{kind} of {name} as {extension}"));
-                    assert_eq!(read.left_out, [""; 0], "{kind} of {name} as {extension}");
+                    assert_eq!(read.left_out(), [""; 0], "{kind} of {name} as {extension}");
                 }
             }
         }
@@ -157,9 +154,9 @@ impl Given {
     const ALL: [Self; 4] = [Self::Texture, Self::Normal, Self::Both, Self::Changing];
 
     /// Texture and normal index (from 1) of a corner.
-    fn at(self, mesh: &FaceList, corner: usize) -> (Option<usize>, Option<usize>) {
+    fn at(self, mesh: &Mesh, corner: usize) -> (Option<usize>, Option<usize>) {
         let (texture, normal) =
-            (texture_of(mesh, corner), mesh.faces.corners()[corner] as usize + 1);
+            (texture_of(mesh, corner), mesh.faces().corners()[corner] as usize + 1);
         match self {
             Self::Texture => (Some(texture), None),
             Self::Normal => (None, Some(normal)),
@@ -176,29 +173,29 @@ impl Given {
 
 /// Every corner has a texture coordinate (from 1) of its own, so that it can be told where a corner
 /// of a quad comes from. They are given in the opposite order.
-fn texture_of(mesh: &FaceList, corner: usize) -> usize {
-    mesh.faces.corners().len() - corner
+fn texture_of(mesh: &Mesh, corner: usize) -> usize {
+    mesh.faces().corners().len() - corner
 }
 
 /// An OBJ text with everything that is carried along.
-fn attributed_text(mesh: &FaceList, given: Given) -> String {
+fn attributed_text(mesh: &Mesh, given: Given) -> String {
     let mut text = String::from("# made by hand\nmtllib a.mtl\nmtllib b c.mtl\n");
-    for [x, y, z] in &mesh.positions {
+    for [x, y, z] in mesh.positions() {
         writeln!(text, "v {x:e} {y:e} {z:e}").unwrap();
     }
-    for corner in 0..mesh.faces.corners().len() {
+    for corner in 0..mesh.faces().corners().len() {
         writeln!(text, "vt 0.{corner} 1e-{corner} 0").unwrap();
     }
-    for vertex in 0..mesh.positions.len() {
+    for vertex in 0..mesh.positions().len() {
         writeln!(text, "vn {vertex} -0.0 0.50").unwrap();
     }
-    for face in 0..mesh.faces.len() {
+    for face in 0..mesh.faces().len() {
         for section in sections(mesh).iter().filter(|section| section.first_face == face) {
             writeln!(text, "{}", section.line).unwrap();
         }
         text.push('f');
-        for corner in mesh.faces.range(face) {
-            write!(text, " {}", mesh.faces.corners()[corner] + 1).unwrap();
+        for corner in mesh.faces().range(face) {
+            write!(text, " {}", mesh.faces().corners()[corner] + 1).unwrap();
             match given.at(mesh, corner) {
                 (None, None) => {}
                 (Some(texture), None) => write!(text, "/{texture}").unwrap(),
@@ -211,20 +208,20 @@ fn attributed_text(mesh: &FaceList, given: Given) -> String {
     text
 }
 
-fn sections(mesh: &FaceList) -> Vec<Section> {
-    let at = |(percent, line): &(usize, &str)| Section {
-        first_face: mesh.faces.len() * percent / 100,
+fn sections(mesh: &Mesh) -> Vec<FaceSection> {
+    let at = |(percent, line): &(usize, &str)| FaceSection {
+        first_face: mesh.faces().len() * percent / 100,
         line: (*line).to_owned(),
     };
     SECTIONS.iter().map(at).collect()
 }
 
-fn parse_obj(text: &str) -> FaceList {
-    mesh::parse(text.as_bytes(), Format::Obj).unwrap()
+fn parse_obj(text: &str) -> Mesh {
+    Mesh::parse(text.as_bytes(), Format::Obj).unwrap()
 }
 
-fn attributes(mesh: &FaceList) -> &Attributes {
-    mesh.attributes.as_deref().expect("attributes were given")
+fn attributes(mesh: &Mesh) -> &Attributes {
+    mesh.attributes().expect("attributes were given")
 }
 
 #[test]
@@ -237,13 +234,13 @@ fn obj_attributes_are_read_as_given_and_read_back() {
         let all = attributes(&read);
         assert_eq!(all.libraries, ["mtllib a.mtl", "mtllib b c.mtl"]);
         assert_eq!(all.sections, sections(&mesh));
-        assert_eq!(all.texture_coordinates.len(), mesh.faces.corners().len());
+        assert_eq!(all.texture_coordinates.len(), mesh.faces().corners().len());
         assert!(
             all.normals
                 .iter()
-                .eq((0..mesh.positions.len()).map(|v| format!("{v} -0.0 0.50").into_bytes()))
+                .eq((0..mesh.positions().len()).map(|v| format!("{v} -0.0 0.50").into_bytes()))
         );
-        for corner in 0..mesh.faces.corners().len() {
+        for corner in 0..mesh.faces().corners().len() {
             let index = |indices: &[u32]| {
                 indices.get(corner).filter(|i| **i != mesh::NO_INDEX).map(|i| *i as usize + 1)
             };
@@ -263,41 +260,35 @@ fn quads_take_attributes_from_their_triangles() {
     for (name, surface) in surfaces() {
         let triangles = parse_obj(&attributed_text(&face_list(&surface), Given::Both));
         for algorithm in Algorithm::ALL {
-            let settings = Settings { algorithm, ..Settings::default() };
-            let converted =
-                convert_list(triangles.clone(), false, &settings, &SystemClock::default(), &mut ());
-            let (quads, summary) = converted.unwrap();
+            let converted = Converter::new().algorithm(algorithm).run(&triangles).unwrap();
+            let quads = converted.mesh();
             let what = format!("{name} by {algorithm}");
-            if summary.edge_flips > 0 {
+            if converted.report().edge_flips > 0 {
                 // Its quads are no unions of the input's triangles; their vertices still agree.
-                assert_corners_follow(&quads, &triangles, &what);
+                assert_corners_follow(quads, &triangles, &what);
                 continue;
             }
-            let sources = quad_sources(&quads, &triangles, &what);
-            assert_sections_follow(&quads, &triangles, &sources, &what);
-            assert_eq!(attributes(&quads).libraries, attributes(&triangles).libraries, "{what}");
-            assert_eq!(attributes(&quads).normals, attributes(&triangles).normals, "{what}");
-            let texture = [&quads, &triangles].map(|mesh| &attributes(mesh).texture_coordinates);
+            let sources = quad_sources(quads, &triangles, &what);
+            assert_sections_follow(quads, &triangles, &sources, &what);
+            assert_eq!(attributes(quads).libraries, attributes(&triangles).libraries, "{what}");
+            assert_eq!(attributes(quads).normals, attributes(&triangles).normals, "{what}");
+            let texture = [quads, &triangles].map(|mesh| &attributes(mesh).texture_coordinates);
             assert_eq!(texture[0], texture[1], "{what}");
-            let again = through_file(&quads, folder.path(), "quads.obj");
+            let again = through_file(quads, folder.path(), "quads.obj");
             assert_eq!(
                 attributes(&again).corner_texture,
-                attributes(&quads).corner_texture,
+                attributes(quads).corner_texture,
                 "{what}"
             );
-            assert_eq!(
-                attributes(&again).corner_normal,
-                attributes(&quads).corner_normal,
-                "{what}"
-            );
+            assert_eq!(attributes(&again).corner_normal, attributes(quads).corner_normal, "{what}");
         }
     }
 }
 
 /// Every corner of a quad has the indices of some corner of the input at the same vertex.
-fn assert_corners_follow(quads: &FaceList, triangles: &FaceList, what: &str) {
-    let corners = triangles.faces.corners();
-    for (corner, &vertex) in quads.faces.corners().iter().enumerate() {
+fn assert_corners_follow(quads: &Mesh, triangles: &Mesh, what: &str) {
+    let corners = triangles.faces().corners();
+    for (corner, &vertex) in quads.faces().corners().iter().enumerate() {
         let source = corners.len() - 1 - attributes(quads).corner_texture[corner] as usize;
         assert_eq!(corners[source], vertex, "{what}: texture index of corner {corner}");
         assert_eq!(attributes(quads).corner_normal[corner], vertex, "{what}: normal of {corner}");
@@ -305,12 +296,12 @@ fn assert_corners_follow(quads: &FaceList, triangles: &FaceList, what: &str) {
 }
 
 /// The two triangles of every quad, lower first, found by where its texture indices come from.
-fn quad_sources(quads: &FaceList, triangles: &FaceList, what: &str) -> Vec<[usize; 2]> {
-    let corners = triangles.faces.corners();
+fn quad_sources(quads: &Mesh, triangles: &Mesh, what: &str) -> Vec<[usize; 2]> {
+    let corners = triangles.faces().corners();
     let sources_of = |quad: usize| {
         let mut sources: Vec<usize> = Vec::new();
-        for corner in quads.faces.range(quad) {
-            let vertex = quads.faces.corners()[corner];
+        for corner in quads.faces().range(quad) {
+            let vertex = quads.faces().corners()[corner];
             let source = corners.len() - 1 - attributes(quads).corner_texture[corner] as usize;
             assert_eq!(corners[source], vertex, "{what}: texture index of quad {quad}");
             assert_eq!(
@@ -325,28 +316,24 @@ fn quad_sources(quads: &FaceList, triangles: &FaceList, what: &str) -> Vec<[usiz
         let pair: [usize; 2] = sources.try_into().unwrap_or_else(|sources| {
             panic!("{what}: corners of quad {quad} come from the triangles {sources:?}")
         });
-        for vertex in pair.iter().flat_map(|&triangle| triangles.faces.get(triangle)) {
+        for vertex in pair.iter().flat_map(|&triangle| triangles.faces().get(triangle)) {
             assert!(
-                quads.faces.get(quad).contains(vertex),
+                quads.faces().get(quad).contains(vertex),
                 "{what}: quad {quad} is not of {pair:?}"
             );
         }
         pair
     };
-    (0..quads.faces.len()).map(sources_of).collect()
+    (0..quads.faces().len()).map(sources_of).collect()
 }
 
 /// Each quad lies in the sections of its lower triangle, and these come in the order of the file.
-fn assert_sections_follow(
-    quads: &FaceList,
-    triangles: &FaceList,
-    sources: &[[usize; 2]],
-    what: &str,
-) {
+fn assert_sections_follow(quads: &Mesh, triangles: &Mesh, sources: &[[usize; 2]], what: &str) {
     let (of_quads, of_triangles) = (&attributes(quads).sections, &attributes(triangles).sections);
-    let lines = |sections: &[Section]| sections.iter().map(|s| s.line.clone()).collect::<Vec<_>>();
+    let lines =
+        |sections: &[FaceSection]| sections.iter().map(|s| s.line.clone()).collect::<Vec<_>>();
     assert_eq!(lines(of_quads), lines(of_triangles), "{what}");
-    let begun = |sections: &[Section], face: usize| {
+    let begun = |sections: &[FaceSection], face: usize| {
         sections.iter().filter(|s| s.first_face <= face).count()
     };
     for (quad, [lower, _]) in sources.iter().enumerate() {
@@ -361,30 +348,30 @@ fn assert_sections_follow(
 // What others write.
 
 /// A surface whose coordinates all are 32-bit numbers, no two vertices at the same place.
-fn single_precision_mesh() -> FaceList {
+fn single_precision_mesh() -> Mesh {
     let mut mesh = face_list(&random_of(2, 120, Mix::Balanced, 7));
-    for (v, position) in mesh.positions.iter_mut().enumerate() {
+    for (v, position) in mesh.positions_mut().iter_mut().enumerate() {
         let v = v as f32;
         *position = [v * 0.1, -v, 1.0 / (v + 1.0)].map(f64::from);
     }
     mesh
 }
 
-fn ply_header(mesh: &FaceList, encoding: &str) -> String {
+fn ply_header(mesh: &Mesh, encoding: &str) -> String {
     format!(
         "ply\nformat {encoding} 1.0\ncomment not by triquad\nelement vertex {}\nproperty double x\n\
          property double y\nproperty double z\nelement face {}\nproperty list uchar uint vertex_index\nend_header\n",
-        mesh.positions.len(),
-        mesh.faces.len()
+        mesh.positions().len(),
+        mesh.faces().len()
     )
 }
 
-fn ascii_ply(mesh: &FaceList) -> Vec<u8> {
+fn ascii_ply(mesh: &Mesh) -> Vec<u8> {
     let mut text = ply_header(mesh, "ascii");
-    for [x, y, z] in &mesh.positions {
+    for [x, y, z] in mesh.positions() {
         writeln!(text, "{x} {y:e} {z}").unwrap();
     }
-    for face in mesh.faces.iter() {
+    for face in mesh.faces().iter() {
         write!(text, "{}", face.len()).unwrap();
         face.iter().for_each(|v| write!(text, " {v}").unwrap());
         text.push('\n');
@@ -392,21 +379,21 @@ fn ascii_ply(mesh: &FaceList) -> Vec<u8> {
     text.into_bytes()
 }
 
-fn big_endian_ply(mesh: &FaceList) -> Vec<u8> {
+fn big_endian_ply(mesh: &Mesh) -> Vec<u8> {
     let mut bytes = ply_header(mesh, "binary_big_endian").into_bytes();
-    bytes.extend(mesh.positions.as_flattened().iter().flat_map(|x| x.to_be_bytes()));
-    for face in mesh.faces.iter() {
+    bytes.extend(mesh.positions().as_flattened().iter().flat_map(|x| x.to_be_bytes()));
+    for face in mesh.faces().iter() {
         bytes.push(face.len() as u8);
         bytes.extend(face.iter().flat_map(|v| v.to_be_bytes()));
     }
     bytes
 }
 
-fn ascii_stl(mesh: &FaceList) -> Vec<u8> {
+fn ascii_stl(mesh: &Mesh) -> Vec<u8> {
     let mut text = String::from("solid thing\n");
-    for face in mesh.faces.iter() {
+    for face in mesh.faces().iter() {
         text += "  facet normal 0 0 0\n    outer loop\n";
-        for [x, y, z] in face.iter().map(|&v| mesh.positions[v as usize]) {
+        for [x, y, z] in face.iter().map(|&v| mesh.positions()[v as usize]) {
             writeln!(text, "      vertex {x:e} {y} {z:e}").unwrap();
         }
         text += "    endloop\n  endfacet\n";
@@ -414,12 +401,12 @@ fn ascii_stl(mesh: &FaceList) -> Vec<u8> {
     (text + "endsolid thing\n").into_bytes()
 }
 
-fn binary_stl(mesh: &FaceList) -> Vec<u8> {
+fn binary_stl(mesh: &Mesh) -> Vec<u8> {
     let mut bytes = vec![b' '; 80];
-    bytes.extend((mesh.faces.len() as u32).to_le_bytes());
-    for face in mesh.faces.iter() {
+    bytes.extend((mesh.faces().len() as u32).to_le_bytes());
+    for face in mesh.faces().iter() {
         bytes.extend([0; 12]);
-        let coordinates = face.iter().flat_map(|&v| mesh.positions[v as usize]);
+        let coordinates = face.iter().flat_map(|&v| mesh.positions()[v as usize]);
         bytes.extend(coordinates.flat_map(|x| (x as f32).to_le_bytes()));
         bytes.extend([0; 2]);
     }
@@ -427,20 +414,20 @@ fn binary_stl(mesh: &FaceList) -> Vec<u8> {
 }
 
 /// The same mesh with its vertices numbered as faces name them first.
-fn in_order_of_occurrence(mesh: &FaceList) -> FaceList {
-    let mut number = vec![None; mesh.positions.len()];
-    let mut renumbered = FaceList::default();
-    for face in mesh.faces.iter() {
+fn in_order_of_occurrence(mesh: &Mesh) -> Mesh {
+    let mut number = vec![None; mesh.positions().len()];
+    let (mut positions, mut faces) = (Vec::new(), Faces::default());
+    for face in mesh.faces().iter() {
         let corners = face.iter().map(|&v| {
             *number[v as usize].get_or_insert_with(|| {
-                renumbered.positions.push(mesh.positions[v as usize]);
-                renumbered.positions.len() as u32 - 1
+                positions.push(mesh.positions()[v as usize]);
+                positions.len() as u32 - 1
             })
         });
         let corners: Vec<u32> = corners.collect();
-        renumbered.faces.push(&corners);
+        faces.push(&corners);
     }
-    renumbered
+    Mesh::new(positions, faces)
 }
 
 #[test]
@@ -454,7 +441,7 @@ fn every_format_tells_the_same_mesh() {
         ("binary STL", binary_stl(&mesh), Format::Stl, &welded),
     ];
     for (name, bytes, format, expected) in table {
-        let read = mesh::parse(&bytes, format).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let read = Mesh::parse(&bytes, format).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_same(&read, expected, name);
     }
 }
@@ -462,9 +449,9 @@ fn every_format_tells_the_same_mesh() {
 #[test]
 fn ply_files_keep_awkward_numbers_and_quads() {
     let mut mesh = quads_of(&face_list(&grids::torus(6, 7)));
-    make_awkward(&mut mesh.positions, &mut Random::stream(0, &["awkward"]));
+    make_awkward(mesh.positions_mut(), &mut Random::stream(0, &["awkward"]));
     for (name, bytes) in [("ascii", ascii_ply(&mesh)), ("big-endian", big_endian_ply(&mesh))] {
-        assert_same(&mesh::parse(&bytes, Format::Ply).unwrap(), &mesh, name);
+        assert_same(&Mesh::parse(&bytes, Format::Ply).unwrap(), &mesh, name);
     }
 }
 
@@ -491,8 +478,7 @@ const SPELLINGS: [&str; 16] = [
 #[test]
 fn numbers_are_read_as_the_nearest_ones() {
     for spelling in SPELLINGS {
-        let ply =
-            ply_header(&FaceList { positions: vec![[0.0; 3]], ..FaceList::default() }, "ascii");
+        let ply = ply_header(&Mesh::new(vec![[0.0; 3]], Faces::default()), "ascii");
         let table = [
             (Format::Obj, format!("v {spelling} {spelling}\t{spelling}\r\n")),
             (Format::Ply, format!("{ply}{spelling} {spelling} {spelling}\n")),
@@ -500,8 +486,8 @@ fn numbers_are_read_as_the_nearest_ones() {
         ];
         let nearest: f64 = spelling.parse().unwrap();
         for (format, text) in table {
-            let read = mesh::parse(text.as_bytes(), format).unwrap();
-            assert_eq!(bits(&read.positions), bits(&[[nearest; 3]]), "{format:?}: {spelling}");
+            let read = Mesh::parse(text.as_bytes(), format).unwrap();
+            assert_eq!(bits(read.positions()), bits(&[[nearest; 3]]), "{format:?}: {spelling}");
         }
     }
 }
@@ -515,8 +501,8 @@ fn indices_of_any_length_are_read_whatever_follows() {
             for spelling in [format!("{index}"), format!("{index:010}")] {
                 for after in ["", "\n", "\r\n", " \n", "\t7", "#1", " 12345678", "\nv 1 2 3\n"] {
                     let text = format!("f {spelling}{after}");
-                    let read = mesh::parse(text.as_bytes(), Format::Obj).ok();
-                    let corner = read.map(|list| u64::from(list.faces.corners()[0]) + 1);
+                    let read = Mesh::parse(text.as_bytes(), Format::Obj).ok();
+                    let corner = read.map(|list| u64::from(list.faces().corners()[0]) + 1);
                     let fits = index <= u64::from(u32::MAX);
                     assert_eq!(corner, fits.then_some(index), "{text:?}");
                 }
@@ -549,7 +535,7 @@ fn long_texts_are_read_like_short_ones() {
         let padding = "#".repeat(MEGABYTE - 1 - overhang);
         let long = format!("{padding}\n{text}");
         assert_eq!(parse_obj(&long), expected, "{overhang} bytes before the mark");
-        let wrong = mesh::parse(format!("{long}f 1 2 x\n").as_bytes(), Format::Obj).unwrap_err();
+        let wrong = Mesh::parse(format!("{long}f 1 2 x\n").as_bytes(), Format::Obj).unwrap_err();
         let message = format!("line {}: 'x' is not an index", lines + 2);
         assert_eq!(wrong.to_string(), message, "{overhang} bytes before the mark");
     }
@@ -573,10 +559,10 @@ impl Shown {
     }
 }
 
-fn shown_by_us(mesh: &FaceList) -> Shown {
+fn shown_by_us(mesh: &Mesh) -> Shown {
     let mut shown = Shown::default();
-    for face in mesh.faces.iter() {
-        shown.push(face.iter().map(|&v| &mesh.positions[v as usize]));
+    for face in mesh.faces().iter() {
+        shown.push(face.iter().map(|&v| &mesh.positions()[v as usize]));
     }
     shown
 }
@@ -603,7 +589,7 @@ fn shown_by_tobj(text: &[u8]) -> Shown {
 
 fn assert_oracle_agrees(text: &[u8], what: &str) {
     let ours =
-        shown_by_us(&mesh::parse(text, Format::Obj).unwrap_or_else(|e| panic!("{what}: {e}")));
+        shown_by_us(&Mesh::parse(text, Format::Obj).unwrap_or_else(|e| panic!("{what}: {e}")));
     let theirs = shown_by_tobj(text);
     assert!(!ours.corners.is_empty(), "{what}");
     assert_eq!(ours.arities, theirs.arities, "{what}");
@@ -613,9 +599,9 @@ fn assert_oracle_agrees(text: &[u8], what: &str) {
     assert_eq!(differing, None, "{what}: first corner that differs");
 }
 
-fn obj_text(mesh: &FaceList) -> String {
+fn obj_text(mesh: &Mesh) -> String {
     let mut text = Vec::new();
-    mesh::write_as(Format::Obj, &mut text, mesh).unwrap();
+    mesh.write_to(&mut text, Format::Obj).unwrap();
     String::from_utf8(text).unwrap()
 }
 
@@ -636,12 +622,12 @@ fn with_relative_indices(text: &str, vertices: usize) -> String {
 fn a_reader_by_others_finds_the_same_in_generated_texts() {
     for (name, surface) in surfaces() {
         let mut triangles = face_list(&surface);
-        make_awkward(&mut triangles.positions, &mut Random::stream(1, &[&name]));
+        make_awkward(triangles.positions_mut(), &mut Random::stream(1, &[&name]));
         for mesh in [&triangles, &quads_of(&triangles)] {
             let text = obj_text(mesh);
             assert_oracle_agrees(text.as_bytes(), &name);
             let variants = [
-                ("relative indices", with_relative_indices(&text, mesh.positions.len())),
+                ("relative indices", with_relative_indices(&text, mesh.positions().len())),
                 ("carriage returns", text.replace('\n', "\r\n")),
                 ("blanks", text.replace(' ', " \t ").replace('\n', "  \n\n")),
                 ("no last line end", text.trim_end().to_owned()),
@@ -679,7 +665,7 @@ fn small_files() -> Vec<(Format, Vec<u8>)> {
     let mesh = face_list(&classic::seven_vertex_torus());
     let written = |format| {
         let mut bytes = Vec::new();
-        mesh::write_as(format, &mut bytes, &mesh).unwrap();
+        mesh.write_to(&mut bytes, format).unwrap();
         bytes
     };
     let attributed = |given| attributed_text(&mesh, given).into_bytes();
@@ -698,14 +684,14 @@ fn small_files() -> Vec<(Format, Vec<u8>)> {
 
 /// Reads `bytes` and does everything with the result that is done with any mesh.
 fn use_content(bytes: &[u8], format: Format) {
-    let Ok(mut mesh) = mesh::parse(bytes, format) else { return };
+    let Ok(mut mesh) = Mesh::parse(bytes, format) else { return };
     let survey = Survey::of(&mesh);
     assert_eq!(Triangulation::build(&mesh).is_ok(), survey.violations.is_empty());
     survey.orient(&mut mesh);
     mesh.triangulate();
     let _ = Triangulation::build_oriented(&mut mesh, true);
     let mut text = Vec::new();
-    mesh::write_as(Format::Obj, &mut text, &mesh).unwrap();
+    mesh.write_to(&mut text, Format::Obj).unwrap();
 }
 
 /// One damage; places are shares of the length.
@@ -782,11 +768,11 @@ fn damaged_gzip_files_never_make_a_reader_panic() {
     let whole = std::fs::read(&path).unwrap();
     for length in 0..whole.len() {
         std::fs::write(&path, &whole[..length]).unwrap();
-        assert!(mesh::read(&path).is_err(), "the first {length} of {} bytes", whole.len());
+        assert!(Mesh::read(&path).is_err(), "the first {length} of {} bytes", whole.len());
         let mut damaged = whole.clone();
         damaged[length] ^= 0x55;
         std::fs::write(&path, damaged).unwrap();
-        let _ = mesh::read(&path);
+        let _ = Mesh::read(&path);
     }
 }
 

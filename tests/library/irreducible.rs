@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
+use triquad::Mesh;
 use triquad::Triangulation;
 use triquad::irreducible::{Discipline, Irreducible, Method, Order, ramaswami_siqueira};
-use triquad::mesh::FaceList;
 use triquad::random::Random;
 use triquad::triangulation::{HalfEdgeId, Id, ShrinkingTriangulation, TriangleId, VertexId};
 use triquad_generators::box_mesh::BoxShape;
@@ -45,7 +45,7 @@ fn contractible_edge(t: &Triangulation) -> Option<[u32; 2]> {
 /// Everything that holds for the result of any algorithm on `t`.
 fn assert_irreducible(t: &Triangulation, result: &Irreducible, what: &str) {
     let left = &result.triangulation;
-    let list = FaceList::from_triangles(vec![[0.0; 3]; result.vertices.len()], corners(left));
+    let list = Mesh::from_triangles(vec![[0.0; 3]; result.vertices.len()], corners(left));
     let rebuilt = Triangulation::build(&list).unwrap_or_else(|survey| panic!("{what}: {survey}"));
     assert_eq!(&rebuilt, left, "{what}");
     assert_eq!(left.genus(), t.genus(), "{what}");

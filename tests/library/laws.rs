@@ -3,11 +3,11 @@
 use std::collections::HashMap;
 
 use proptest::prelude::*;
-use triquad::mesh::FaceList;
+use triquad::mesh::{Faces, Mesh};
 use triquad::{Element, Law, Survey, Triangulation};
 use triquad_generators::{Surface, classic, grids};
 
-fn laws(list: &FaceList) -> Vec<Law> {
+fn laws(list: &Mesh) -> Vec<Law> {
     Triangulation::build(list)
         .unwrap_err()
         .violations
@@ -16,11 +16,11 @@ fn laws(list: &FaceList) -> Vec<Law> {
         .collect()
 }
 
-fn survey(list: &FaceList) -> Survey {
+fn survey(list: &Mesh) -> Survey {
     *Triangulation::build(list).unwrap_err()
 }
 
-fn first(list: &FaceList) -> (Law, Element, usize) {
+fn first(list: &Mesh) -> (Law, Element, usize) {
     let violation = survey(list).violations[0];
     (violation.law, violation.element, violation.count)
 }
@@ -62,7 +62,7 @@ fn usize_of(id: impl triquad::triangulation::Id) -> usize {
 }
 
 /// A bow-tie: the last vertex of one surface is also the first of the other.
-fn bow_tie() -> FaceList {
+fn bow_tie() -> Mesh {
     let (one, other) = (classic::octahedron(), classic::tetrahedron());
     let shared = one.positions.len() as u32 - 1;
     let mut both = one;
@@ -101,9 +101,9 @@ fn special_surfaces_are_accepted() {
 
 #[test]
 fn unreferenced_vertices_do_not_count() {
-    let mut list = crate::common::face_list(&classic::octahedron());
-    list.positions.insert(6, [9.0; 3]);
-    list.positions.push([f64::MAX; 3]);
+    let octahedron = crate::common::face_list(&classic::octahedron());
+    let more = [octahedron.positions(), &[[9.0; 3], [f64::MAX; 3]]].concat();
+    let list = Mesh::new(more, octahedron.faces().clone());
     let triangulation = Triangulation::build(&list).unwrap();
     assert_eq!(triangulation.vertex_count(), 6);
     assert_eq!(
@@ -115,8 +115,8 @@ fn unreferenced_vertices_do_not_count() {
 
 #[test]
 fn nothing_is_no_mesh() {
-    assert_eq!(first(&FaceList::default()), (Law::NotEmpty, Element::Mesh, 1));
-    let only_points = FaceList { positions: vec![[0.0; 3]; 3], ..FaceList::default() };
+    assert_eq!(first(&Mesh::default()), (Law::NotEmpty, Element::Mesh, 1));
+    let only_points = Mesh::new(vec![[0.0; 3]; 3], Faces::default());
     assert_eq!(laws(&only_points), [Law::NotEmpty]);
 }
 
@@ -144,7 +144,7 @@ fn a_bow_tie_is_named_by_its_vertex() {
 #[test]
 fn a_doubled_sheet_is_no_triangulation() {
     let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let list = FaceList::from_triangles(positions, vec![[0, 1, 2], [0, 2, 1]]);
+    let list = Mesh::from_triangles(positions, vec![[0, 1, 2], [0, 2, 1]]);
     assert_eq!(laws(&list), [Law::DistinctFaces]);
 }
 
@@ -154,16 +154,15 @@ fn an_edge_shared_by_two_surfaces_is_overfull() {
     let tetrahedron = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
     let other = tetrahedron.map(|t: [u32; 3]| t.map(|v| if v < 2 { v } else { v + 2 }));
     let positions = (0..6).map(|i| [f64::from(i), f64::from(i * i), 0.0]).collect();
-    let list = FaceList::from_triangles(positions, [tetrahedron, other].concat());
+    let list = Mesh::from_triangles(positions, [tetrahedron, other].concat());
     assert_eq!(first(&list), (Law::AtMostTwoFaces, Element::Edge(0, 1), 1));
 }
 
 #[test]
 fn polygons_are_surveyed_as_they_are() {
-    let mut list = FaceList { positions: vec![[0.0; 3]; 8], ..FaceList::default() };
     let cube: [[u32; 4]; 6] =
         [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
-    cube.iter().for_each(|face| list.faces.push(face));
+    let mut list = Mesh::new(vec![[0.0; 3]; 8], Faces::from_iter(cube));
     let survey = survey(&list);
     assert_eq!((survey.violations.len(), survey.violations[0].law), (1, Law::Triangle));
     assert_eq!(survey.violations[0].count, 6);
@@ -174,11 +173,11 @@ fn polygons_are_surveyed_as_they_are() {
 
 #[test]
 fn all_broken_laws_are_listed_the_most_basic_first() {
-    let mut list = crate::common::face_list(&grids::sphere(3));
-    list.positions[4][1] = f64::NAN;
-    list.faces.push(&[0, 1, 999]);
-    list.faces.push(&[0, 1, 1]);
-    list.faces.push(&[0, 1, 2, 3]);
+    let (mut positions, mut faces) = crate::common::face_list(&grids::sphere(3)).into_parts();
+    positions[4][1] = f64::NAN;
+    faces.extend([[0, 1, 999], [0, 1, 1]]);
+    faces.push(&[0, 1, 2, 3]);
+    let list = Mesh::new(positions, faces);
     let found = laws(&list);
     assert!(found.is_sorted(), "{found:?}");
     let basic = [Law::IndexInRange, Law::FiniteCoordinate, Law::Triangle, Law::DistinctCorners];
@@ -188,7 +187,7 @@ fn all_broken_laws_are_listed_the_most_basic_first() {
 #[test]
 fn a_large_irregular_mesh_is_oriented_with_the_fewest_flips() {
     let mut list = crate::common::face_list(&grids::torus(40, 30));
-    let wrong: Vec<usize> = (0..list.faces.len()).filter(|face| face % 7 == 3).collect();
+    let wrong: Vec<usize> = (0..list.faces().len()).filter(|face| face % 7 == 3).collect();
     wrong.iter().for_each(|&face| list.reverse_face(face));
     let survey = survey(&list);
     assert!(survey.only_orientation_is_wrong());
@@ -234,7 +233,7 @@ fn mutation() -> impl Strategy<Value = Mutation> {
 fn apply(
     mutation: &Mutation,
     surface: &mut Surface,
-) -> (FaceList, Law, Option<Element>, Option<usize>) {
+) -> (Mesh, Law, Option<Element>, Option<usize>) {
     let (faces, vertices) = (surface.triangles.len(), surface.positions.len());
     let triangles = &mut surface.triangles;
     let mut extra = None;
@@ -274,9 +273,9 @@ fn apply(
             (Law::Triangle, Some(Element::Face(faces)), Some(1))
         }
     };
-    let mut list = crate::common::face_list(surface);
-    extra.iter().for_each(|face| list.faces.push(face));
-    (list, law, element, count)
+    let (positions, mut faces) = crate::common::face_list(surface).into_parts();
+    faces.extend(extra);
+    (Mesh::new(positions, faces), law, element, count)
 }
 
 proptest! {
@@ -312,7 +311,7 @@ proptest! {
         let apart = around(one).is_disjoint(&around(other));
         let glue = |v: u32| if v == other { one } else { v };
         let glued = surface.triangles.iter().map(|t| t.map(glue)).collect();
-        let list = FaceList::from_triangles(surface.positions.clone(), glued);
+        let list = Mesh::from_triangles(surface.positions.clone(), glued);
         let found = survey(&list).violations[0];
         if apart {
             prop_assert_eq!((found.law, found.element, found.count), (Law::OneFan, Element::Vertex(one), 1));
@@ -332,7 +331,7 @@ proptest! {
         triangles in prop::collection::vec(prop::array::uniform3(0u32..7), 1..16),
     ) {
         // The quick builder and the exhaustive survey must agree on what is a triangulation.
-        let list = FaceList::from_triangles(vec![[0.0; 3]; 7], triangles);
+        let list = Mesh::from_triangles(vec![[0.0; 3]; 7], triangles);
         let survey = Survey::of(&list);
         prop_assert_eq!(Triangulation::build(&list).is_ok(), survey.violations.is_empty());
     }

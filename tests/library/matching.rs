@@ -8,9 +8,7 @@ use std::ops::ControlFlow;
 use triquad::pairing::{pulli_segal, simple_greedy};
 use triquad::random::Random;
 use triquad::triangulation::{Id, TriangleId};
-use triquad::{
-    Algorithm, Augmentation, DualGraph, Matching, Triangulation, make_maximum,
-};
+use triquad::{Algorithm, Augmentation, DualGraph, Matching, Triangulation, make_maximum};
 
 type Edges = Vec<(u32, u32)>;
 
@@ -43,11 +41,7 @@ fn exhaustive(nodes: usize, edges: &Edges) -> usize {
 /// Starting points for augmentation: nothing, and what the greedy algorithms leave.
 fn initial_matchings(graph: &DualGraph) -> [Matching; 3] {
     let random = &mut Random::stream(graph.len() as u64, &["start"]);
-    [
-        Matching::empty(graph.len()),
-        simple_greedy(graph, random),
-        pulli_segal(graph, Some(random)),
-    ]
+    [Matching::empty(graph.len()), simple_greedy(graph, random), pulli_segal(graph, Some(random))]
 }
 
 /// Both augmentations reach `expected` pairs from every start, and report what they did.

@@ -6,16 +6,14 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use triquad::clock::SystemClock;
 use triquad::irreducible::{Discipline, Method, Order, ramaswami_siqueira};
-use triquad::mesh::{self, FaceList};
 use triquad::pairing::lrs;
 use triquad::random::Random;
 use triquad::simplify::{Shape, Simplifier};
 use triquad::triangulation::{HalfEdgeId, Id, LinkMarks, ShrinkingTriangulation};
 use triquad::{
-    Algorithm, ConvertedMesh, Expansion, Law, Settings, Summary, Survey, Triangulation, check,
-    check_retriangulation, convert_mesh,
+    Algorithm, Converter, Expansion, Law, Mesh, Report, Survey, Triangulation, check,
+    check_retriangulation,
 };
 
 /// The folder of real meshes and what its catalogue says of each.
@@ -48,8 +46,8 @@ impl Catalogue {
         self.entries.iter().filter(move |entry| Path::new(entry.file()).starts_with(folder))
     }
 
-    fn read(&self, file: &str) -> FaceList {
-        mesh::read(&self.folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
+    fn read(&self, file: &str) -> Mesh {
+        Mesh::read(&self.folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
     }
 }
 
@@ -102,26 +100,22 @@ fn quoted_fields_are_read() {
     assert_eq!(fields(r#"a,,"b, ""c""",d,"#), ["a", "", r#"b, "c""#, "d", ""]);
 }
 
-/// Converts with `settings` and checks the result against `triangles`.
-fn converted(triangles: &FaceList, flip_faces: bool, settings: &Settings, what: &str) -> Summary {
-    let clock = SystemClock::default();
-    let result = convert_mesh(triangles.clone(), flip_faces, settings, &clock, &mut ());
+/// Converts by `algorithm` and checks the result against `triangles`.
+fn converted(triangles: &Mesh, flip_faces: bool, algorithm: Algorithm, what: &str) -> Report {
+    let result = Converter::new().algorithm(algorithm).orient(flip_faces).run(triangles);
     let converted = result.unwrap_or_else(|error| panic!("{what}: {error}"));
-    let ConvertedMesh { quads, triangles: paired, summary } = converted;
+    let summary = converted.report().clone();
+    let quads = converted.mesh().clone();
     let mut oriented = triangles.clone();
     if flip_faces {
         Survey::of(triangles).orient(&mut oriented);
     }
-    let paired = FaceList { faces: paired, ..oriented.clone() };
-    assert_eq!(paired.faces == oriented.faces, summary.edge_flips == 0, "{what}");
+    let paired = oriented.clone().with_faces(converted.triangles().clone());
+    assert_eq!(paired.faces() == oriented.faces(), summary.edge_flips == 0, "{what}");
     assert_eq!(check_retriangulation(&paired, &oriented), Ok(()), "{what}");
     let report = check(&quads, &paired).unwrap_or_else(|mismatch| panic!("{what}: {mismatch}"));
-    assert_eq!(2 * report.quads, triangles.faces.len(), "{what}");
+    assert_eq!(2 * report.quads, triangles.faces().len(), "{what}");
     summary
-}
-
-fn settings(algorithm: Algorithm) -> Settings {
-    Settings { algorithm, ..Settings::default() }
 }
 
 // Closed meshes.
@@ -133,11 +127,11 @@ fn every_closed_mesh_is_converted_by_every_algorithm() {
         let triangles = catalogue.read(entry.file());
         for algorithm in Algorithm::ALL {
             // The slowest by far: about 20 µs a triangle.
-            if algorithm == Algorithm::DiksStanczyk && triangles.faces.len() > 50_000 {
+            if algorithm == Algorithm::DiksStanczyk && triangles.faces().len() > 50_000 {
                 continue;
             }
             let what = format!("{} by {algorithm}", entry.file());
-            let summary = converted(&triangles, false, &settings(algorithm), &what);
+            let summary = converted(&triangles, false, algorithm, &what);
             let counts = [summary.vertices, summary.edges, summary.triangles, summary.genus];
             let expected =
                 ["vertices", "edges", "triangles", "genus"].map(|column| entry.count(column));
@@ -178,7 +172,7 @@ fn every_closed_mesh_is_simplified_to_a_tenth() {
         let triangulation = Triangulation::build(&list).unwrap();
         let vertices = triangulation.vertex_count().div_ceil(10).max(60 * entry.count("genus"));
         let largest_degree = Shape::of(&list).largest_degree;
-        let mut simplifier = Simplifier::new(triangulation, &list.positions);
+        let mut simplifier = Simplifier::new(triangulation, list.positions());
         // Far from the 26g - 4 vertices that an irreducible triangulation of genus g may have.
         let wanted = vertices.min(simplifier.vertex_count());
         simplifier.reduce_to(wanted).unwrap_or_else(|error| panic!("{file}: {error}"));
@@ -268,7 +262,7 @@ const FIRST_BROKEN: [(&str, Option<Law>, Option<Law>); 13] = [
     ("duplicate_vertices_pig.stl", Some(Law::NoBoundary), Some(Law::NoBoundary)),
 ];
 
-fn first_broken(list: &FaceList) -> Option<Law> {
+fn first_broken(list: &Mesh) -> Option<Law> {
     let survey = Triangulation::build(list).err()?;
     Some(survey.violations[0].law)
 }
@@ -294,7 +288,7 @@ fn defective_meshes_that_can_be_mended_are_converted() {
         triangles.triangulate();
         for algorithm in Algorithm::ALL {
             let what = format!("{name} by {algorithm}");
-            converted(&triangles, broken.is_some(), &settings(algorithm), &what);
+            converted(&triangles, broken.is_some(), algorithm, &what);
         }
     }
 }
@@ -303,7 +297,7 @@ fn defective_meshes_that_can_be_mended_are_converted() {
 fn two_knots_are_two_tori() {
     let Some(catalogue) = Catalogue::open() else { return };
     let knots = catalogue.read("defective/components_two_knots.off");
-    let summary = converted(&knots, false, &Settings::default(), "two knots");
+    let summary = converted(&knots, false, Algorithm::Triquad, "two knots");
     assert_eq!((summary.components, summary.genus), (2, 2));
 }
 
@@ -356,9 +350,9 @@ fn surveys_count_what_the_catalogue_measured() {
         // The catalogue counts the sides of degenerate faces too. The survey does not: a face of
         // two distinct corners has both its sides on one edge, and the edge is to be told sound
         // or not for when the face has been removed.
-        let sound = list.faces.iter().filter(|face| !is_degenerate(face));
+        let sound = list.faces().iter().filter(|face| !is_degenerate(face));
         assert_eq!(broken(&survey, Law::AtMostTwoFaces), overfull_edges(sound), "{file}");
-        assert_eq!(overfull_edges(list.faces.iter()), entry.measured("edges>2"), "{file}");
+        assert_eq!(overfull_edges(list.faces().iter()), entry.measured("edges>2"), "{file}");
         // On a one-sided surface no orientation is consistent, so there the survey tells which
         // edges close a one-sided strip instead of which ones the faces now disagree across.
         if survey.orientable {

@@ -6,45 +6,45 @@ use std::collections::HashMap;
 use crate::common::{beside, face_list, special_surfaces};
 use proptest::prelude::*;
 use triquad::Triangulation;
-use triquad::mesh::{FaceList, Format, write_as};
+use triquad::mesh::{Format, Mesh};
 use triquad::simplify::{Shape, Simplifier, SimplifyError};
 use triquad_generators::{Surface, classic, grids};
 
 fn simplifier(surface: &Surface) -> Simplifier {
     let list = face_list(surface);
-    Simplifier::new(Triangulation::build(&list).unwrap(), &list.positions)
+    Simplifier::new(Triangulation::build(&list).unwrap(), list.positions())
 }
 
-fn reduced(surface: &Surface, vertices: usize) -> FaceList {
+fn reduced(surface: &Surface, vertices: usize) -> Mesh {
     let mut simplifier = simplifier(surface);
     simplifier.reduce_to(vertices).unwrap();
     simplifier.result().0
 }
 
-fn bytes(list: &FaceList) -> Vec<u8> {
+fn bytes(list: &Mesh) -> Vec<u8> {
     let mut bytes = Vec::new();
-    write_as(Format::Obj, &mut bytes, list).unwrap();
+    list.write_to(&mut bytes, Format::Obj).unwrap();
     bytes
 }
 
 /// The result as it is rebuilt from its faces alone; it must be what the simplifier says it is.
-fn rebuilt(simplifier: &Simplifier) -> (FaceList, Triangulation) {
+fn rebuilt(simplifier: &Simplifier) -> (Mesh, Triangulation) {
     let (list, told) = simplifier.result();
     let built = Triangulation::build(&list).expect("the result is a triangulation");
     assert_eq!(built.vertex_count(), simplifier.vertex_count());
-    assert_eq!(built.vertex_count(), list.positions.len());
+    assert_eq!(built.vertex_count(), list.positions().len());
     assert_eq!(built, told);
     (list, built)
 }
 
 /// Whether some edge can be contracted: tried on the list of faces.
-fn some_edge_is_contractible(list: &FaceList) -> bool {
-    let triangles: Vec<[u32; 3]> = list.faces.iter().map(|f| f.try_into().unwrap()).collect();
+fn some_edge_is_contractible(list: &Mesh) -> bool {
+    let triangles: Vec<[u32; 3]> = list.faces().iter().map(|f| f.try_into().unwrap()).collect();
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     sides.filter(|[u, v]| u < v).any(|[u, v]| {
         let moved = triangles.iter().map(|t| t.map(|w| if w == v { u } else { w }));
         let left = moved.filter(|[a, b, c]| a != b && b != c && c != a).collect();
-        Triangulation::build(&FaceList::from_triangles(list.positions.clone(), left)).is_ok()
+        Triangulation::build(&Mesh::from_triangles(list.positions().to_vec(), left)).is_ok()
     })
 }
 
@@ -125,7 +125,7 @@ fn vertices_in_no_triangle_are_left_out_and_not_counted() {
     assert_eq!(simplifier.vertex_count(), 38);
     assert_eq!(rebuilt(&simplifier).0, face_list(&grids::sphere(3)));
     simplifier.reduce_to(11).unwrap();
-    assert!(rebuilt(&simplifier).0.positions.iter().flatten().all(|x| x.abs() < 1.1));
+    assert!(rebuilt(&simplifier).0.positions().iter().flatten().all(|x| x.abs() < 1.1));
 }
 
 // The same every time.
@@ -163,7 +163,7 @@ fn scaling_by_a_power_of_two_scales_the_result() {
         let mut scaled = surface.clone();
         scaled.positions.as_flattened_mut().iter_mut().for_each(|x| *x *= factor);
         let mut result = reduced(&scaled, 70);
-        result.positions.as_flattened_mut().iter_mut().for_each(|x| *x /= factor);
+        result.positions_mut().as_flattened_mut().iter_mut().for_each(|x| *x /= factor);
         assert_eq!(result, expected);
     }
 }
@@ -201,14 +201,14 @@ fn cube(n: i32) -> Surface {
     Surface { positions, triangles }
 }
 
-fn volume(list: &FaceList) -> f64 {
+fn volume(list: &Mesh) -> f64 {
     let of = |face: &[u32]| {
-        let [p, q, r] = [0, 1, 2].map(|k| list.positions[face[k] as usize]);
+        let [p, q, r] = [0, 1, 2].map(|k| list.positions()[face[k] as usize]);
         p[0] * (q[1] * r[2] - q[2] * r[1])
             + p[1] * (q[2] * r[0] - q[0] * r[2])
             + p[2] * (q[0] * r[1] - q[1] * r[0])
     };
-    list.faces.iter().map(of).sum::<f64>() / 6.0
+    list.faces().iter().map(of).sum::<f64>() / 6.0
 }
 
 fn turned(mut surface: Surface) -> Surface {
@@ -259,7 +259,7 @@ fn a_simplified_grid_is_not_regular() {
     let irregular_percent = |vertices| {
         let list = reduced(&surface, vertices);
         let mut degrees = vec![0; vertices];
-        list.faces.corners().iter().for_each(|&v| degrees[v as usize] += 1);
+        list.faces().corners().iter().for_each(|&v| degrees[v as usize] += 1);
         100 * degrees.iter().filter(|&&degree| degree != 6).count() / vertices
     };
     let percents = [8000, 6000, 4000].map(irregular_percent);
@@ -276,11 +276,11 @@ fn a_sphere_stays_round() {
         let centroid = |f| {
             let corners = triangulation
                 .corners(f)
-                .map(|v| list.positions[triquad::triangulation::Id::index(v)]);
+                .map(|v| list.positions()[triquad::triangulation::Id::index(v)]);
             std::array::from_fn(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 3.0)
         };
         let off = |p| (length(p) - 1.0).abs();
-        let at_vertices = list.positions.iter().map(|&p| off(p)).fold(0.0, f64::max);
+        let at_vertices = list.positions().iter().map(|&p| off(p)).fold(0.0, f64::max);
         let at_centroids = triangulation.triangles().map(|f| off(centroid(f))).fold(0.0, f64::max);
         let what = format!("{vertices} vertices: off by {at_vertices}, {at_centroids}");
         assert!(at_vertices < tolerance && at_centroids < 4.0 * tolerance, "{what}");

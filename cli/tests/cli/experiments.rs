@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use crate::repeatable::repeatable;
 use tempfile::TempDir;
-use triquad::mesh::{FaceList, Output as MeshOutput};
+use triquad::mesh::{Mesh, Output as MeshOutput};
 use triquad_generators::{Surface, classic, grids};
 use triquad_lab::experiment::{Outcome, Results, RunRecord};
 
@@ -100,7 +100,7 @@ impl Workshop {
     }
 
     fn put_mesh(&self, name: &str, surface: &Surface) {
-        let list = FaceList::from_triangles(surface.positions.clone(), surface.triangles.clone());
+        let list = Mesh::from_triangles(surface.positions.clone(), surface.triangles.clone());
         std::fs::create_dir_all(self.path("data")).unwrap();
         MeshOutput::create(&self.path(name)).unwrap().write(&list).unwrap();
     }

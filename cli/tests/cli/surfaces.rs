@@ -1,13 +1,13 @@
 //! What several test files need: surfaces as face lists, and randomness for the generators.
 
-use triquad::mesh::FaceList;
+use triquad::Mesh;
 use triquad::random::Random;
 use triquad_generators::Surface;
 use triquad_generators::random::{Mix, random_surface};
 
 /// The face list of a generated surface.
-pub fn face_list(surface: &Surface) -> FaceList {
-    FaceList::from_triangles(surface.positions.clone(), surface.triangles.clone())
+pub fn face_list(surface: &Surface) -> Mesh {
+    Mesh::from_triangles(surface.positions.clone(), surface.triangles.clone())
 }
 
 /// One surface that holds both, as two components.

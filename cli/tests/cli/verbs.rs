@@ -9,7 +9,7 @@ use crate::surfaces::{beside, face_list, random_of};
 use serde_json::Value;
 use tempfile::TempDir;
 use triquad::Law;
-use triquad::mesh::{self, FaceList, Faces, Format, Output};
+use triquad::mesh::{self, Faces, Format, Mesh, Output};
 use triquad_generators::random::Mix;
 use triquad_generators::{Surface, classic, grids};
 
@@ -40,7 +40,7 @@ impl Workshop {
         std::fs::write(self.path(name), content).unwrap();
     }
 
-    fn put_mesh(&self, name: &str, mesh: &FaceList) {
+    fn put_mesh(&self, name: &str, mesh: &Mesh) {
         Output::create(&self.path(name)).unwrap().write(mesh).unwrap();
     }
 
@@ -52,7 +52,7 @@ impl Workshop {
         std::fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    fn mesh(&self, name: &str) -> FaceList {
+    fn mesh(&self, name: &str) -> Mesh {
         mesh::read(&self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
@@ -195,7 +195,7 @@ fn convert_check_and_info_do_their_work() {
     let info = workshop.succeed("info in.ply");
     assert_contains(&info, &["genus                  1", "closed                 yes"], "info");
     let triangles = workshop.mesh("in.ply");
-    assert_eq!(workshop.mesh("out.obj").faces.len(), triangles.faces.len() / 2);
+    assert_eq!(workshop.mesh("out.obj").faces.len(), triangles.faces().len() / 2);
 }
 
 #[test]
@@ -275,9 +275,9 @@ fn faults_that_can_be_mended_are_mended_on_request() {
         workshop.succeed(&format!("check out.obj --against in.obj {repairs}"));
         workshop.fail("check out.obj --against in.obj", 2);
         let quads = workshop.mesh("out.obj");
-        let triangles = 2 * quads.faces.len();
+        let triangles = 2 * quads.faces().len();
         assert_eq!(
-            format!("{}-{triangles}-{}", quads.positions.len(), quads.faces.len()),
+            format!("{}-{triangles}-{}", quads.positions().len(), quads.faces().len()),
             counts,
             "{repairs}"
         );
@@ -306,7 +306,7 @@ fn unreferenced_vertices_stay_where_they_are() {
     workshop.succeed("convert in.obj -o out.obj");
     workshop.succeed("check out.obj --against in.obj");
     let [triangles, quads] = ["in.obj", "out.obj"].map(|name| workshop.mesh(name));
-    assert_eq!(quads.positions, triangles.positions);
+    assert_eq!(quads.positions(), triangles.positions());
     let info = workshop.json("info in.obj --json", 0);
     assert_eq!((&info["vertices"], &info["unreferenced_vertices"]), (&4.into(), &3.into()));
     assert_eq!(info["euler_characteristic"], 2);
@@ -522,7 +522,7 @@ const INFO_FIELDS: [&str; 12] = [
 ];
 
 /// A mesh that breaks each law that a mesh with faces can break, one block of vertices a law.
-fn mesh_of_all_faults() -> FaceList {
+fn mesh_of_all_faults() -> Mesh {
     let flipped = |mut surface: Surface| {
         surface.triangles[0].reverse();
         surface
@@ -543,11 +543,11 @@ fn mesh_of_all_faults() -> FaceList {
     ];
     let surface = blocks.iter().fold(tetrahedron(), |whole, block| beside(&whole, block));
     let mut mesh = face_list(&surface);
-    mesh.positions[0][1] = f64::NAN;
-    mesh.faces.push(&[0, 1, 9999]);
-    mesh.faces.push(&[1, 1, 2]);
-    mesh.faces.push(surface.triangles[0].as_slice());
-    mesh.faces.push(&[0, 1, 2, 3]);
+    mesh.positions()[0][1] = f64::NAN;
+    mesh.faces().push(&[0, 1, 9999]);
+    mesh.faces().push(&[1, 1, 2]);
+    mesh.faces().push(surface.triangles[0].as_slice());
+    mesh.faces().push(&[0, 1, 2, 3]);
     mesh
 }
 
@@ -992,10 +992,10 @@ fn what_cannot_be_made_is_refused_with_the_minimum() {
 // What the check finds.
 
 /// The vertices of `mesh` with its faces changed.
-fn with_faces(mesh: &FaceList, change: impl FnOnce(&mut Vec<Vec<u32>>)) -> FaceList {
-    let mut faces: Vec<Vec<u32>> = mesh.faces.iter().map(<[u32]>::to_vec).collect();
+fn with_faces(mesh: &Mesh, change: impl FnOnce(&mut Vec<Vec<u32>>)) -> Mesh {
+    let mut faces: Vec<Vec<u32>> = mesh.faces().iter().map(<[u32]>::to_vec).collect();
     change(&mut faces);
-    let mut changed = FaceList { faces: Faces::default(), ..mesh.clone() };
+    let mut changed = Mesh { faces: Faces::default(), ..mesh.clone() };
     faces.iter().for_each(|face| changed.faces.push(face));
     changed
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::machine::hash_of_file;
 use crate::meshes::paper::PaperMesh;
-use triquad::mesh::{self, Format};
+use triquad::mesh::Format;
 use triquad::triangulation::Triangulation;
 
 /// A mesh file in a data folder.
@@ -50,7 +50,7 @@ pub fn survey(folders: &[PathBuf]) -> Result<Vec<DataMesh>, (PathBuf, io::Error)
 fn mesh_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let entries: io::Result<Vec<_>> = std::fs::read_dir(folder)?.collect();
     let paths = entries?.into_iter().map(|entry| entry.path());
-    Ok(paths.filter(|path| path.is_file() && Format::of(path).is_ok()).collect())
+    Ok(paths.filter(|path| path.is_file() && Format::from_path(path).is_ok()).collect())
 }
 
 /// `folder/Happy_Buddha.obj.gz` is `Happy_Buddha`.
@@ -65,7 +65,7 @@ impl DataMesh {
         let sha256 = hash_of_file(&path).unwrap_or_default();
         let mut mesh =
             Self { name, path, sha256, vertices: 0, triangles: 0, genus: 0, problem: None };
-        match mesh::read(&mesh.path) {
+        match triquad::Mesh::read(&mesh.path) {
             Err(error) => mesh.problem = Some(error.to_string()),
             Ok(list) => match Triangulation::build(&list) {
                 Err(survey) => mesh.problem = Some(survey.to_string()),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::paper::{self, PaperMesh, Scale};
 use super::{BoxShape, GenerateError, Recipe, into_list, simplified};
-use triquad::mesh::{self, FaceList, MeshError, Output};
+use triquad::mesh::{Mesh, MeshError, Output};
 
 /// Increased whenever a recipe's bytes change: what was kept before is then no longer found.
 const EDITION: u32 = 2;
@@ -29,12 +29,12 @@ impl Cache {
     ///
     /// # Errors
     /// There is no such mesh, or it could not be kept.
-    pub fn get(&self, recipe: &Recipe) -> Result<FaceList, GenerateError> {
+    pub fn get(&self, recipe: &Recipe) -> Result<Mesh, GenerateError> {
         if !recipe.is_costly() {
             return recipe.make();
         }
         // What cannot be read, damaged perhaps, is made anew.
-        if let Ok(list) = mesh::read(&self.file(recipe)) {
+        if let Ok(list) = Mesh::read(&self.file(recipe)) {
             return Ok(list);
         }
         // Before the work starts, so that it is not in vain.
@@ -66,7 +66,7 @@ impl Cache {
     }
 
     /// Simplifies a box to `vertices`, and keeps what it is at each of `stops`, descending.
-    fn make(&self, of: BoxShape, stops: &[u32], vertices: u32) -> Result<FaceList, GenerateError> {
+    fn make(&self, of: BoxShape, stops: &[u32], vertices: u32) -> Result<Mesh, GenerateError> {
         simplified(&into_list(of.surface()?), stops, vertices, |stop, list| {
             let output = self.open(&Recipe::SimplifiedBox { of, vertices: stop })?;
             output.write(&list).map_err(|error| self.failure(error))

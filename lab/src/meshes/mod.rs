@@ -14,7 +14,7 @@ use std::path::PathBuf;
 
 use triquad_generators::{Surface, organic};
 
-use triquad::mesh::{FaceList, MeshError};
+use triquad::mesh::{Mesh, MeshError};
 use triquad::random::Random;
 use triquad::simplify::{Simplifier, SimplifyError};
 use triquad::triangulation::Triangulation;
@@ -78,7 +78,7 @@ impl Recipe {
     ///
     /// # Errors
     /// There is no such mesh, and why.
-    pub fn make(&self) -> Result<FaceList, GenerateError> {
+    pub fn make(&self) -> Result<Mesh, GenerateError> {
         match *self {
             Self::Box(shape) => Ok(into_list(shape.surface()?)),
             Self::SimplifiedBox { of, vertices } => {
@@ -108,11 +108,11 @@ impl Recipe {
     }
 }
 
-fn into_list(surface: Surface) -> FaceList {
-    FaceList::from_triangles(surface.positions, surface.triangles)
+fn into_list(surface: Surface) -> Mesh {
+    Mesh::from_triangles(surface.positions, surface.triangles)
 }
 
-fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<FaceList, GenerateError> {
+fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<Mesh, GenerateError> {
     let source = (OVERSAMPLING * u64::from(vertices)).max(organic::minimum_vertices(genus));
     // E = 3 (V - 2 + 2g) by Euler's formula.
     let half_edges = 6 * (source - 2 + 2 * u64::from(genus));
@@ -126,13 +126,13 @@ fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<FaceList, Gen
 
 /// Simplifies `list` to `vertices`, and tells `on_the_way` what it is at each of `stops`, descending.
 fn simplified(
-    list: &FaceList,
+    list: &Mesh,
     stops: &[u32],
     vertices: u32,
-    mut on_the_way: impl FnMut(u32, FaceList) -> Result<(), GenerateError>,
-) -> Result<FaceList, GenerateError> {
+    mut on_the_way: impl FnMut(u32, Mesh) -> Result<(), GenerateError>,
+) -> Result<Mesh, GenerateError> {
     let triangulation = Triangulation::build(list).expect("what is generated is a triangulation");
-    let mut simplifier = Simplifier::new(triangulation, &list.positions);
+    let mut simplifier = Simplifier::new(triangulation, list.positions());
     for &stop in stops {
         simplifier.reduce_to(stop as usize)?;
         on_the_way(stop, simplifier.result().0)?;

@@ -2,7 +2,7 @@
 //! Figure 14 of Ramaswami and Siqueira.
 
 use crate::meshes::{BoxShape, Recipe};
-use triquad::mesh::FaceList;
+use triquad::Mesh;
 use triquad::quadrangulation::quality::scaled_jacobian;
 use triquad_render::{Camera, Image, Lines, Picture, PictureError, Polygons, Section};
 
@@ -27,7 +27,7 @@ pub enum View {
 /// A quad mesh, with what is to be seen of it.
 #[derive(Clone, Debug)]
 pub struct QuadScene<'a> {
-    quads: &'a FaceList,
+    quads: &'a Mesh,
     edges: usize,
     flipped: Vec<[u32; 2]>,
     colours: Vec<[u8; 3]>,
@@ -37,12 +37,12 @@ pub struct QuadScene<'a> {
 impl<'a> QuadScene<'a> {
     /// Finds the edges of `quads` that `input`, the triangles it was made from, does not have, and the
     /// quads that are badly shaped. O(n log n).
-    pub fn new(quads: &'a FaceList, input: &FaceList) -> Self {
+    pub fn new(quads: &'a Mesh, input: &Mesh) -> Self {
         let mut flipped = edges(quads);
         let all = flipped.len();
         let given = edges(input);
         flipped.retain(|edge| given.binary_search(edge).is_err());
-        let shapes: Vec<f64> = quads.faces.iter().map(|face| shape(quads, face)).collect();
+        let shapes: Vec<f64> = quads.faces().iter().map(|face| shape(quads, face)).collect();
         let poor = shapes.iter().filter(|&&shape| shape < POOR).count();
         let colours = shapes.into_iter().map(tint).collect();
         Self { quads, edges: all, flipped, colours, poor }
@@ -50,7 +50,7 @@ impl<'a> QuadScene<'a> {
 
     /// Number of quads.
     pub fn quad_count(&self) -> usize {
-        self.quads.faces.len()
+        self.quads.faces().len()
     }
 
     /// Number of edges of the quads.
@@ -103,11 +103,11 @@ impl<'a> QuadScene<'a> {
 }
 
 /// Borrows the arrays of a mesh for drawing.
-fn polygons(list: &FaceList) -> Polygons<'_> {
-    let corners = list.faces.corners();
-    match (list.faces.arity(), list.faces.ends()) {
-        (_, Some(ends)) => Polygons::mixed(&list.positions, corners, ends),
-        (arity, None) => Polygons::uniform(&list.positions, corners, arity.unwrap_or(3)),
+fn polygons(list: &Mesh) -> Polygons<'_> {
+    let corners = list.faces().corners();
+    match (list.faces().arity(), list.faces().ends()) {
+        (_, Some(ends)) => Polygons::mixed(list.positions(), corners, ends),
+        (arity, None) => Polygons::uniform(list.positions(), corners, arity.unwrap_or(3)),
     }
 }
 
@@ -138,9 +138,9 @@ pub fn box_picture(view: View) -> Image {
 }
 
 /// The edges of all faces, each once, sorted.
-fn edges(mesh: &FaceList) -> Vec<[u32; 2]> {
-    let mut edges = Vec::with_capacity(mesh.faces.corners().len());
-    for face in mesh.faces.iter() {
+fn edges(mesh: &Mesh) -> Vec<[u32; 2]> {
+    let mut edges = Vec::with_capacity(mesh.faces().corners().len());
+    for face in mesh.faces().iter() {
         for (i, &from) in face.iter().enumerate() {
             let to = face[if i + 1 == face.len() { 0 } else { i + 1 }];
             edges.push([from.min(to), from.max(to)]);
@@ -152,9 +152,9 @@ fn edges(mesh: &FaceList) -> Vec<[u32; 2]> {
 }
 
 /// The scaled Jacobian of a quad; of another face, that of the best.
-fn shape(mesh: &FaceList, face: &[u32]) -> f64 {
+fn shape(mesh: &Mesh, face: &[u32]) -> f64 {
     match *face {
-        [a, b, c, d] => scaled_jacobian([a, b, c, d].map(|v| mesh.positions[v as usize])),
+        [a, b, c, d] => scaled_jacobian([a, b, c, d].map(|v| mesh.positions()[v as usize])),
         _ => 1.0,
     }
 }
@@ -169,8 +169,8 @@ fn tint(shape: f64) -> [u8; 3] {
 }
 
 /// The vertex that is seen nearest to the middle of the bounding box.
-fn middle_vertex(mesh: &FaceList, direction: [f64; 3]) -> Option<[f64; 3]> {
-    let used = mesh.faces.corners().iter().map(|&v| mesh.positions[v as usize]);
+fn middle_vertex(mesh: &Mesh, direction: [f64; 3]) -> Option<[f64; 3]> {
+    let used = mesh.faces().corners().iter().map(|&v| mesh.positions()[v as usize]);
     let bounds =
         used.clone().fold(([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]), |(low, high), p| {
             ([0, 1, 2].map(|i| low[i].min(p[i])), [0, 1, 2].map(|i| high[i].max(p[i])))

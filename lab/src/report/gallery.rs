@@ -6,8 +6,8 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::figures::{QuadScene, View, box_picture};
+use triquad::Mesh;
 use triquad::atomic_file::AtomicFile;
-use triquad::mesh::FaceList;
 use triquad_render::Image;
 
 /// A row of `pictures/pictures.csv`.
@@ -66,8 +66,8 @@ pub fn write(folder: &Path, rows: &[Shown]) -> io::Result<()> {
 pub fn draw_quads(
     folder: &Path,
     about: &Shown,
-    quads: &FaceList,
-    input: &FaceList,
+    quads: &Mesh,
+    input: &Mesh,
 ) -> io::Result<Vec<Shown>> {
     let scene = QuadScene::new(quads, input);
     let mut rows = Vec::new();

@@ -3,7 +3,7 @@
 //!
 //! Everything is made of records and of the papers' printed values, nothing is measured here.
 //! Pictures know nothing of how a mesh was made: they are drawn from plain
-//! [`FaceList`](triquad::mesh::FaceList)s.
+//! [`Mesh`](triquad::Mesh)s.
 
 pub mod claims;
 pub mod compare;

@@ -2,29 +2,29 @@
 
 use std::collections::HashSet;
 
-use triquad::mesh::{FaceList, Faces};
+use triquad::mesh::{Faces, Mesh};
 use triquad::quadrangulation::quality::scaled_jacobian;
 use triquad::{Algorithm, Settings, Triangulation, convert};
 use triquad_generators::grids;
 use triquad_lab::report::figures::{POOR, QuadScene, View, box_picture};
 
-fn torus() -> FaceList {
+fn torus() -> Mesh {
     let surface = grids::torus(12, 9);
-    FaceList::from_triangles(surface.positions, surface.triangles)
+    Mesh::from_triangles(surface.positions, surface.triangles)
 }
 
-fn quads_of(input: &FaceList, algorithm: Algorithm) -> FaceList {
+fn quads_of(input: &Mesh, algorithm: Algorithm) -> Mesh {
     let triangulation = Triangulation::build(input).unwrap();
     let faces = convert(&triangulation, &Settings { algorithm, ..Settings::default() }).faces();
-    FaceList { positions: input.positions.clone(), faces, ..FaceList::default() }
+    Mesh { positions: input.positions().clone(), faces, ..Mesh::default() }
 }
 
-fn sides(mesh: &FaceList) -> HashSet<[u32; 2]> {
+fn sides(mesh: &Mesh) -> HashSet<[u32; 2]> {
     let of_face = |face: &[u32]| {
         let next = face.iter().cycle().skip(1);
         face.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)]).collect::<Vec<_>>()
     };
-    mesh.faces.iter().flat_map(of_face).collect()
+    mesh.faces().iter().flat_map(of_face).collect()
 }
 
 #[test]
@@ -37,10 +37,10 @@ fn counts_are_those_of_a_plain_search() {
         let flipped = all.difference(&sides(&input)).count();
         let jacobian = |face: &[u32]| {
             let corners: [u32; 4] = face.try_into().unwrap();
-            scaled_jacobian(corners.map(|v| quads.positions[v as usize]))
+            scaled_jacobian(corners.map(|v| quads.positions()[v as usize]))
         };
-        let poor = quads.faces.iter().filter(|face| jacobian(face) < POOR).count();
-        assert_eq!(scene.quad_count(), input.faces.len() / 2);
+        let poor = quads.faces().iter().filter(|face| jacobian(face) < POOR).count();
+        assert_eq!(scene.quad_count(), input.faces().len() / 2);
         assert_eq!((scene.edge_count(), scene.flipped_count()), (all.len(), flipped));
         assert_eq!(scene.poor_count(), poor);
         let flips_edges = matches!(algorithm, Algorithm::Lrs(_));
@@ -53,15 +53,14 @@ fn counts_are_those_of_a_plain_search() {
 #[test]
 fn flips_are_blue_and_darts_are_orange_and_nothing_else_is() {
     let positions = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 4.0, 0.0]];
-    let quads =
-        FaceList { positions, faces: Faces::uniform(4, vec![0, 1, 2, 3]), ..FaceList::default() };
-    let with_sides = FaceList { faces: Faces::uniform(3, vec![0, 1, 2, 0, 2, 3]), ..quads.clone() };
-    let without = FaceList { faces: Faces::uniform(3, vec![0, 1, 3]), ..quads.clone() };
-    let square = FaceList {
+    let quads = Mesh { positions, faces: Faces::uniform(4, vec![0, 1, 2, 3]), ..Mesh::default() };
+    let with_sides = Mesh { faces: Faces::uniform(3, vec![0, 1, 2, 0, 2, 3]), ..quads.clone() };
+    let without = Mesh { faces: Faces::uniform(3, vec![0, 1, 3]), ..quads.clone() };
+    let square = Mesh {
         positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
         ..quads.clone()
     };
-    let colours = |quads: &FaceList, input: &FaceList| {
+    let colours = |quads: &Mesh, input: &Mesh| {
         let image = QuadScene::new(quads, input).draw(View::Whole).unwrap();
         let count = |hue: fn(&&[u8; 4]) -> bool| image.pixels().iter().filter(hue).count();
         (
@@ -72,7 +71,7 @@ fn flips_are_blue_and_darts_are_orange_and_nothing_else_is() {
     assert_eq!(colours(&quads, &with_sides), (false, true));
     assert_eq!(colours(&quads, &without), (true, true));
     assert_eq!(
-        colours(&square, &FaceList { positions: square.positions.clone(), ..with_sides }),
+        colours(&square, &Mesh { positions: square.positions.clone(), ..with_sides }),
         (false, false)
     );
 }
@@ -92,6 +91,6 @@ fn pictures_are_small_and_the_same_again() {
 
 #[test]
 fn an_empty_mesh_is_refused() {
-    let nothing = FaceList::default();
+    let nothing = Mesh::default();
     assert!(QuadScene::new(&nothing, &nothing).draw(View::CloseUp).is_err());
 }

@@ -1,20 +1,21 @@
 //! Meshes made to order: counts, equal bytes, the papers' tables, the cache.
 
-use triquad::mesh::FaceList;
+use triquad::Mesh;
 use triquad::random::Random;
 use triquad::simplify::Simplifier;
 use triquad::{Algorithm, Settings, Triangulation, convert};
 use triquad_lab::meshes::paper::{self, PaperMesh};
 use triquad_lab::meshes::{BoxShape, Cache, GenerateError, Recipe};
 
-fn built(list: &FaceList) -> Triangulation {
+fn built(list: &Mesh) -> Triangulation {
     Triangulation::build(list).unwrap_or_else(|survey| panic!("{survey}"))
 }
 
 /// A hash of every bit of a mesh (FNV-1a).
-fn fingerprint(list: &FaceList) -> u64 {
-    let coordinates = list.positions.as_flattened().iter().flat_map(|x| x.to_bits().to_le_bytes());
-    let corners = list.faces.corners().iter().flat_map(|corner| corner.to_le_bytes());
+fn fingerprint(list: &Mesh) -> u64 {
+    let coordinates =
+        list.positions().as_flattened().iter().flat_map(|x| x.to_bits().to_le_bytes());
+    let corners = list.faces().corners().iter().flat_map(|corner| corner.to_le_bytes());
     coordinates.chain(corners).fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
     })
@@ -63,8 +64,8 @@ fn vertices_and_genus_are_those_asked_for() {
 #[test]
 fn stand_ins_are_irregular() {
     let list = Recipe::StandIn { vertices: 5000, genus: 2, seed: 0 }.make().unwrap();
-    let mut degrees = vec![0u32; list.positions.len()];
-    list.faces.corners().iter().for_each(|&v| degrees[v as usize] += 1);
+    let mut degrees = vec![0u32; list.positions().len()];
+    list.faces().corners().iter().for_each(|&v| degrees[v as usize] += 1);
     let six = degrees.iter().filter(|&&degree| degree == 6).count();
     assert!((1000..3000).contains(&six), "{six} of 5000 vertices have degree 6");
 }
@@ -74,9 +75,9 @@ fn stand_ins_are_irregular() {
 #[test]
 fn what_pulli_segal_leaves_grows_with_irregularity() {
     let list = BoxShape { cavities: 384, holes: 0, vertices: 209_496 }.surface().unwrap();
-    let list = FaceList::from_triangles(list.positions, list.triangles);
+    let list = Mesh::from_triangles(list.positions(), list.triangles);
     let regular = built(&list);
-    let mut simplifier = Simplifier::new(regular.clone(), &list.positions);
+    let mut simplifier = Simplifier::new(regular.clone(), list.positions());
     let [a, b] = [99_040, 17_217].map(|vertices| {
         simplifier.reduce_to(vertices).unwrap();
         simplifier.result().1
@@ -140,7 +141,7 @@ fn a_folder_that_cannot_be_made_is_told() {
     assert!(matches!(cache.get(&small_recipes()[2]), Err(GenerateError::Cache { .. })));
 }
 
-fn assert_is(mesh: &PaperMesh, list: &FaceList) {
+fn assert_is(mesh: &PaperMesh, list: &Mesh) {
     let triangulation = built(list);
     let counts = [
         triangulation.vertex_count(),
@@ -158,7 +159,7 @@ fn assert_hierarchy(of: &str) {
     let root = paper::named(of).unwrap();
     let Recipe::Box(shape) = root.recipe else { panic!("{of} is a box") };
     let list = root.recipe.make().unwrap();
-    let mut simplifier = Simplifier::new(built(&list), &list.positions);
+    let mut simplifier = Simplifier::new(built(&list), list.positions());
     let simplified =
         |mesh: &PaperMesh| matches!(mesh.recipe, Recipe::SimplifiedBox { of, .. } if of == shape);
     let mut meshes: Vec<PaperMesh> = paper::ALL.into_iter().filter(simplified).collect();

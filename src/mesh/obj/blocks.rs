@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use crate::mesh::MeshError;
+use crate::mesh::error::MeshError;
 
 /// Number of bytes asked for at a time.
 pub(super) const BLOCK: usize = 1 << 20;

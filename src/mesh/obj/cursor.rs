@@ -1,6 +1,6 @@
 //! Words, numbers and indices of a line.
 
-use crate::mesh::{MeshError, Place};
+use crate::mesh::error::{MeshError, Place};
 
 /// What is wrong with a line. Boxed, so that results fit in registers where nothing is wrong.
 pub(super) struct Fault(Box<Problem>);

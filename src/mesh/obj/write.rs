@@ -2,13 +2,14 @@
 
 use std::io::{self, Write};
 
-use crate::mesh::{Attributes, FaceList, Lines, NO_INDEX};
+use crate::mesh::attributes::{Attributes, NO_INDEX, TextList};
+use crate::mesh::polygon_mesh::Mesh;
 
 /// Writes an OBJ file, attributes included; `out` should be buffered.
 ///
 /// # Errors
 /// Those of `out`.
-pub(in crate::mesh) fn write(out: &mut dyn Write, mesh: &FaceList) -> io::Result<()> {
+pub(in crate::mesh) fn write(out: &mut dyn Write, mesh: &Mesh) -> io::Result<()> {
     let mut text = Text { out, buffer: Vec::with_capacity(FLUSH_AT + 1024) };
     let none = Attributes::default();
     let attributes = mesh.attributes.as_deref().unwrap_or(&none);
@@ -32,7 +33,7 @@ pub(in crate::mesh) fn write(out: &mut dyn Write, mesh: &FaceList) -> io::Result
     text.flush()
 }
 
-fn write_lines(text: &mut Text<'_>, keyword: &str, lines: &Lines) -> io::Result<()> {
+fn write_lines(text: &mut Text<'_>, keyword: &str, lines: &TextList) -> io::Result<()> {
     lines.iter().try_for_each(|line| text.line(keyword.as_bytes(), line))
 }
 
@@ -54,7 +55,7 @@ impl Text<'_> {
         self.end_line()
     }
 
-    fn face(&mut self, mesh: &FaceList, attributes: &Attributes, face: usize) -> io::Result<()> {
+    fn face(&mut self, mesh: &Mesh, attributes: &Attributes, face: usize) -> io::Result<()> {
         self.buffer.push(b'f');
         for corner in mesh.faces.range(face) {
             self.buffer.push(b' ');

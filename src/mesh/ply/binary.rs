@@ -1,9 +1,9 @@
 //! Values of a binary PLY file, in either byte order.
 
 use super::header::{Element, Kind, Layout, Property, Scalar};
-use super::{Source, exact_index};
+use super::source::{Source, exact_index};
 use crate::mesh::error::{MeshError, Place};
-use crate::mesh::face_list::{Faces, MAX_CORNERS};
+use crate::mesh::faces::{Faces, MAX_CORNERS};
 use crate::mesh::tokens;
 
 /// The values of a binary file.

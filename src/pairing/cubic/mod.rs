@@ -99,7 +99,7 @@ mod tree_rule;
 
 use std::ops::Range;
 
-use crate::dual::{DualGraph, Matching, DualGraphError};
+use crate::dual::{DualGraph, DualGraphError, Matching};
 use crate::triangulation::{Id, IdVec, TriangleId};
 use covers::covers;
 use ds::DynamicGraph;

@@ -8,7 +8,7 @@ use triquad_generators::random::{Mix, random_surface};
 
 use super::graph::NodeId;
 use super::*;
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 use crate::random::Random;
 use crate::triangulation::Triangulation;
 use families::*;
@@ -260,7 +260,7 @@ fn duals_of_random_surfaces_are_solved() {
         let (genus, mix) = ([0, 0, 1, 3][seed as usize % 4], Mix::ALL[seed as usize / 4 % 4]);
         let operations = if seed % 40 == 39 { 3000 } else { random.below(24) as usize };
         let surface = random_surface(genus, operations, mix, &mut |bound| random.below(bound));
-        let list = FaceList::from_triangles(surface.positions, surface.triangles);
+        let list = Mesh::from_triangles(surface.positions, surface.triangles);
         let dual = DualGraph::new(&Triangulation::build(&list).unwrap());
         let around = |f| dual.neighbours(f).filter(move |&g| f < g).map(move |g| (f.0, g.0));
         let edges: Edges = dual.triangles().flat_map(around).collect();

@@ -12,7 +12,7 @@ use super::printed::{self, expand_all};
 use super::{DISCIPLINE, Expanded, contract, few_flips};
 use crate::dual::DualGraph;
 use crate::irreducible::Discipline;
-use crate::mesh::FaceList;
+use crate::mesh::Mesh;
 use crate::samples::{sculpted, surfaces, triangulation};
 use crate::triangulation::{
     ExpandingTriangulation, HalfEdgeId, Id, Links, TriangleId, Triangulation, VertexSplit,
@@ -55,7 +55,7 @@ impl Sides {
     /// The triangulation they are, with `vertices` vertex ids.
     fn build(&self, vertices: usize) -> Triangulation {
         let triangles = self.0.iter().map(|sides| sides.map(|side| side.0)).collect();
-        let list = FaceList::from_triangles(vec![[0.0; 3]; vertices], triangles);
+        let list = Mesh::from_triangles(vec![[0.0; 3]; vertices], triangles);
         Triangulation::build(&list).expect("still a triangulation")
     }
 }
@@ -140,11 +140,7 @@ fn check_outcome(expanded: Expanded, input: &Triangulation, unpaired: usize) -> 
     assert_eq!(matching.unpaired_count(), unpaired);
     assert!(matching.is_matching_of(&dual) && dual == DualGraph::new(&k));
     // The half-edge structure is what its triangles say.
-    let list = FaceList {
-        faces: k.faces(),
-        positions: vec![[0.0; 3]; k.vertex_id_count()],
-        ..FaceList::default()
-    };
+    let list = Mesh::new(vec![[0.0; 3]; k.vertex_id_count()], k.faces());
     assert_eq!(Triangulation::build(&list).unwrap(), k);
     let [ours, given] = [&k, input].map(edges);
     let new = ours.keys().filter(|&[a, b]| a < b && !given.contains_key(&[*a, *b])).count();

@@ -5,18 +5,21 @@
 
 mod binary;
 mod header;
+mod source;
 
 use std::io::{self, Write};
 
 use binary::Binary;
 use header::{Element, Encoding, Header, Kind, Scalar};
+use source::Source;
 
 use super::error::MeshError;
-use super::face_list::{FaceList, Faces, MAX_CORNERS};
+use super::faces::{Faces, MAX_CORNERS};
+use super::polygon_mesh::Mesh;
 use super::tokens::{self, Tokens};
 
 /// Reads a PLY file.
-pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut tokens = Tokens::new(bytes);
     let header = Header::read(&mut tokens)?;
     let position = tokens.position();
@@ -27,73 +30,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<FaceList, MeshError> {
     }
 }
 
-/// Where values come from, one after the other.
-trait Source {
-    /// The next value, which is a coordinate.
-    fn coordinate(&mut self, kind: Scalar) -> Result<f64, MeshError>;
-
-    /// The next value, which is an integer from 0; `expected` names it for the error.
-    fn index(&mut self, kind: Scalar, expected: &str) -> Result<u32, MeshError>;
-
-    /// Passes over `times` values.
-    fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError>;
-
-    /// Everything that was not read yet.
-    fn rest(&self) -> &[u8];
-
-    /// Reads vertices by the record instead of by the value, where their layout allows that, and
-    /// says how many: up to the first that there is something wrong with.
-    fn whole_vertices(&mut self, _: &Element, _: &mut Vec<[f64; 3]>) -> usize {
-        0
-    }
-
-    /// Reads faces as [`Source::whole_vertices`] reads vertices.
-    fn whole_faces(&mut self, _: &Element, _: &mut Faces) -> usize {
-        0
-    }
-
-    /// Passes over one value of a record.
-    fn skip_property(&mut self, kind: Kind) -> Result<(), MeshError> {
-        match kind {
-            Kind::Scalar(kind) => self.skip(kind, 1),
-            Kind::List { count, item } => {
-                let count = self.index(count, "the length of a list")?;
-                self.skip(item, count as usize)
-            }
-        }
-    }
-}
-
-impl Source for Tokens<'_> {
-    fn coordinate(&mut self, _: Scalar) -> Result<f64, MeshError> {
-        self.read("a coordinate", tokens::float)
-    }
-
-    fn index(&mut self, _: Scalar, expected: &str) -> Result<u32, MeshError> {
-        // Where the header announces floating point numbers, `3.0` is an index too.
-        self.read(expected, |word| {
-            tokens::index(word).or_else(|| tokens::float(word).and_then(exact_index))
-        })
-    }
-
-    fn skip(&mut self, _: Scalar, times: usize) -> Result<(), MeshError> {
-        (0..times).try_for_each(|_| self.read("a value", |_| Some(())))
-    }
-
-    fn rest(&self) -> &[u8] {
-        Tokens::rest(self)
-    }
-}
-
-/// The integer that `value` is, if it is one and fits.
-#[inline]
-fn exact_index(value: f64) -> Option<u32> {
-    let index = value as u32; // Saturates, and makes 0 of NaN.
-    (f64::from(index) == value).then_some(index)
-}
-
-fn read_elements(header: &Header, source: &mut impl Source) -> Result<FaceList, MeshError> {
-    let mut mesh = FaceList::default();
+fn read_elements(header: &Header, source: &mut impl Source) -> Result<Mesh, MeshError> {
+    let mut mesh = Mesh::default();
     for element in &header.elements {
         match element.name.as_str() {
             "vertex" => mesh.positions = read_vertices(element, source)?,
@@ -267,18 +205,16 @@ mod tests {
         u8:255 f64:1e-300 i32:0 i16:0 f32:-2.25 \
         u16:3 u32:0 u32:1 u32:2 i8:-1 u16:4 u32:4000000000 u32:1 u32:0 u32:2 i8:1 ";
 
-    fn expected() -> FaceList {
+    fn expected() -> Mesh {
         let mut faces = Faces::default();
         faces.push(&[0, 1, 2]);
         faces.push(&[4_000_000_000, 1, 0, 2]);
         let left_out = ["element edge", "vertex property red", "vertex property w"];
         let left_out = [&left_out[..], &["face property flags", "element nothing"]].concat();
-        FaceList {
-            positions: vec![[-7.0, 0.5, 0.1], [300.0, 1.0, -0.0], [0.0, -2.25, 1e-300]],
-            faces,
-            left_out: left_out.into_iter().map(String::from).collect(),
-            ..FaceList::default()
-        }
+        let positions = vec![[-7.0, 0.5, 0.1], [300.0, 1.0, -0.0], [0.0, -2.25, 1e-300]];
+        let mut mesh = Mesh::new(positions, faces);
+        mesh.left_out = left_out.into_iter().map(String::from).collect();
+        mesh
     }
 
     fn encode(value: &str, big: bool) -> Vec<u8> {
@@ -384,7 +320,7 @@ mod tests {
         }
     }
 
-    fn read_by_the_value(bytes: &[u8]) -> Result<FaceList, MeshError> {
+    fn read_by_the_value(bytes: &[u8]) -> Result<Mesh, MeshError> {
         let mut tokens = Tokens::new(bytes);
         let header = Header::read(&mut tokens)?;
         let at = tokens.position();
@@ -542,10 +478,10 @@ mod tests {
                 let positions = vec![[1.0, 2.0, 3.0], position];
                 let mut bytes = Vec::new();
                 write(&mut bytes, &positions, &faces).unwrap();
-                let mesh = FaceList { positions, faces, ..FaceList::default() };
+                let mesh = Mesh::new(positions, faces);
                 let back = read(&bytes).unwrap();
                 assert_eq!(back, mesh);
-                let signs = |list: &FaceList| list.positions[1].map(f64::is_sign_negative);
+                let signs = |list: &Mesh| list.positions[1].map(f64::is_sign_negative);
                 assert_eq!(signs(&back), signs(&mesh));
                 let text = String::from_utf8_lossy(&bytes);
                 assert!(text.contains(kind) && text.contains(count));

@@ -14,13 +14,16 @@ use blocks::Blocks;
 use cursor::{Cursor, Fault};
 pub(super) use write::write;
 
-use super::{Attributes, FaceList, MAX_CORNERS, MeshError, NO_INDEX, Place, Section};
+use super::attributes::{Attributes, FaceSection, NO_INDEX};
+use super::error::{MeshError, Place};
+use super::faces::MAX_CORNERS;
+use super::polygon_mesh::Mesh;
 
 /// Reads an OBJ file, a block at a time: the text is never held as a whole.
 ///
 /// # Errors
 /// The line and what is wrong there, or what `input` complains of.
-pub(super) fn read(input: &mut dyn Read) -> Result<FaceList, MeshError> {
+pub(super) fn read(input: &mut dyn Read) -> Result<Mesh, MeshError> {
     let mut parser = Parser::default();
     let mut blocks = Blocks::default();
     while let Some(block) = blocks.next(input)? {
@@ -50,7 +53,7 @@ fn has_lone_returns(text: &[u8]) -> bool {
 
 #[derive(Default)]
 struct Parser {
-    list: FaceList,
+    list: Mesh,
     attributes: Attributes,
     has_weights: bool,
     has_colours: bool,
@@ -144,14 +147,14 @@ impl Parser {
             b"vn" => self.attributes.normals.push(value.trim_ascii_start()),
             b"o" | b"g" | b"s" | b"usemtl" => {
                 let first_face = self.list.faces.len();
-                self.attributes.sections.push(Section { first_face, line: text() });
+                self.attributes.sections.push(FaceSection { first_face, line: text() });
             }
             b"mtllib" => self.attributes.libraries.push(text()),
             _ => {}
         }
     }
 
-    fn finish(mut self) -> Result<FaceList, MeshError> {
+    fn finish(mut self) -> Result<Mesh, MeshError> {
         let corners = self.list.faces.corners().len();
         let attributes = &mut self.attributes;
         for (indices, given, kind) in [
@@ -206,7 +209,7 @@ mod tests {
     use super::cursor::leading_digits;
     use super::*;
 
-    fn read(text: &[u8]) -> Result<FaceList, MeshError> {
+    fn read(text: &[u8]) -> Result<Mesh, MeshError> {
         super::read(&mut &text[..])
     }
 
@@ -317,7 +320,7 @@ mod tests {
         assert_eq!(read(&written).unwrap(), list);
         let attributes = list.attributes.unwrap();
         assert_eq!(attributes.corner_texture[..4], [0, 1, 2, NO_INDEX]);
-        assert_eq!(attributes.sections[3], Section { first_face: 1, line: "s off".into() });
+        assert_eq!(attributes.sections[3], FaceSection { first_face: 1, line: "s off".into() });
     }
 
     #[test]

@@ -1,0 +1,56 @@
+//! The result of a conversion.
+
+use std::borrow::Cow;
+
+use super::report::Report;
+use crate::mesh::{Faces, Mesh};
+use crate::quadrangulation::Quadrangulation;
+use crate::triangulation::Triangulation;
+
+/// A mesh of quads that passed its check, with its report.
+#[derive(Clone, Debug)]
+pub struct Converted {
+    pub(super) mesh: Mesh,
+    /// The triangles that were paired.
+    pub(super) triangles: Faces,
+    pub(super) report: Report,
+}
+
+impl Converted {
+    /// Returns the quads on the vertices of the input, with the attributes carried over.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// Returns the counts and times.
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// Returns the triangles that were paired: those of the input but for `lrs`, which flips edges.
+    pub fn triangles(&self) -> &Faces {
+        &self.triangles
+    }
+
+    /// Returns the quads and drops the rest.
+    pub fn into_mesh(self) -> Mesh {
+        self.mesh
+    }
+
+    /// Returns the triangles that were paired as a mesh and drops the quads.
+    pub fn into_triangle_mesh(self) -> Mesh {
+        self.mesh.with_faces(self.triangles)
+    }
+}
+
+/// A quadrangulation without coordinates, unchecked, with its report.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Quadrangulated<'t> {
+    /// The quads.
+    pub quadrangulation: Quadrangulation,
+    /// The triangulation whose triangles were paired: the input, or another one for `lrs`.
+    pub triangulation: Cow<'t, Triangulation>,
+    /// Counts and times; nothing that the check finds.
+    pub report: Report,
+}

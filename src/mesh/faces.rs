@@ -1,0 +1,205 @@
+//! Faces as lists of vertex indices.
+
+use std::ops::{Index, Range};
+
+/// The most corners that a mesh may have: half-edges are numbered with 32 bits, and room to spare.
+pub const MAX_CORNERS: usize = 1 << 31;
+
+/// Faces of any number of corners, stored one after the other.
+///
+/// 4 bytes a corner; 4 bytes a face more if the faces differ in size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Faces {
+    pub(super) corners: Vec<u32>,
+    shape: Shape,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Shape {
+    Uniform(usize),
+    /// Where each face ends in `corners`.
+    Mixed(Vec<u32>),
+}
+
+impl Default for Faces {
+    fn default() -> Self {
+        Self::uniform(3, Vec::new())
+    }
+}
+
+impl Faces {
+    /// Makes faces of `arity` corners each.
+    ///
+    /// # Panics
+    /// If `arity` is 0 or does not divide the number of corners.
+    pub fn uniform(arity: usize, corners: Vec<u32>) -> Self {
+        assert!(arity > 0 && corners.len().is_multiple_of(arity));
+        Self { corners, shape: Shape::Uniform(arity) }
+    }
+
+    /// Makes an empty list with room for `corners` corners.
+    pub fn with_capacity(corners: usize) -> Self {
+        Self::uniform(3, Vec::with_capacity(corners))
+    }
+
+    /// Returns the number of faces.
+    pub fn len(&self) -> usize {
+        match &self.shape {
+            Shape::Uniform(arity) => self.corners.len() / arity,
+            Shape::Mixed(ends) => ends.len(),
+        }
+    }
+
+    /// Returns whether there is no face.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Returns the vertex indices of all corners, face after face.
+    pub fn corners(&self) -> &[u32] {
+        &self.corners
+    }
+
+    /// Returns the number of corners that all faces have in common, if they do.
+    pub fn arity(&self) -> Option<usize> {
+        match self.shape {
+            Shape::Uniform(arity) => Some(arity),
+            Shape::Mixed(_) => None,
+        }
+    }
+
+    /// Returns the end of each face in [`Faces::corners`]; none if all faces have the same size.
+    pub fn ends(&self) -> Option<&[u32]> {
+        match &self.shape {
+            Shape::Uniform(_) => None,
+            Shape::Mixed(ends) => Some(ends),
+        }
+    }
+
+    /// Returns the place of face `face` in [`Faces::corners`].
+    pub fn range(&self, face: usize) -> Range<usize> {
+        match &self.shape {
+            Shape::Uniform(arity) => face * arity..(face + 1) * arity,
+            Shape::Mixed(ends) => {
+                let start = if face == 0 { 0 } else { ends[face - 1] as usize };
+                start..ends[face] as usize
+            }
+        }
+    }
+
+    /// Returns the vertex indices of one face.
+    pub fn get(&self, face: usize) -> &[u32] {
+        &self.corners[self.range(face)]
+    }
+
+    /// Iterates over all faces in order.
+    pub fn iter(&self) -> FacesIter<'_> {
+        FacesIter { faces: self, range: 0..self.len() }
+    }
+
+    /// Appends a face.
+    pub fn push(&mut self, corners: &[u32]) {
+        self.corners.extend_from_slice(corners);
+        self.close_face(corners.len());
+    }
+
+    /// Appends one corner to the face that the next [`Faces::close_face`] will end.
+    #[inline]
+    pub(super) fn push_corner(&mut self, vertex: u32) {
+        self.corners.push(vertex);
+    }
+
+    /// Makes a face of the last `arity` corners pushed.
+    #[inline]
+    pub(super) fn close_face(&mut self, arity: usize) {
+        match &mut self.shape {
+            Shape::Uniform(common) if *common == arity && arity > 0 => {}
+            Shape::Uniform(common) if self.corners.len() == arity && arity > 0 => *common = arity,
+            Shape::Uniform(common) => {
+                let before = self.corners.len() - arity;
+                let mut ends: Vec<u32> =
+                    (1..=before / *common).map(|k| (k * *common) as u32).collect();
+                ends.push(self.corners.len() as u32);
+                self.shape = Shape::Mixed(ends);
+            }
+            Shape::Mixed(ends) => ends.push(self.corners.len() as u32),
+        }
+    }
+}
+
+impl Index<usize> for Faces {
+    type Output = [u32];
+
+    fn index(&self, face: usize) -> &[u32] {
+        self.get(face)
+    }
+}
+
+impl<F: AsRef<[u32]>> Extend<F> for Faces {
+    fn extend<T: IntoIterator<Item = F>>(&mut self, faces: T) {
+        faces.into_iter().for_each(|face| self.push(face.as_ref()));
+    }
+}
+
+impl<F: AsRef<[u32]>> FromIterator<F> for Faces {
+    fn from_iter<T: IntoIterator<Item = F>>(faces: T) -> Self {
+        let mut collected = Self::default();
+        collected.extend(faces);
+        collected
+    }
+}
+
+impl<'a> IntoIterator for &'a Faces {
+    type Item = &'a [u32];
+    type IntoIter = FacesIter<'a>;
+
+    fn into_iter(self) -> FacesIter<'a> {
+        self.iter()
+    }
+}
+
+/// Iterator over faces in order.
+#[derive(Clone, Debug)]
+pub struct FacesIter<'a> {
+    faces: &'a Faces,
+    range: Range<usize>,
+}
+
+impl<'a> Iterator for FacesIter<'a> {
+    type Item = &'a [u32];
+
+    fn next(&mut self) -> Option<&'a [u32]> {
+        self.range.next().map(|face| self.faces.get(face))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.range.size_hint()
+    }
+}
+
+impl ExactSizeIterator for FacesIter<'_> {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faces_keep_their_corners_whatever_their_arity() {
+        let given: [&[u32]; 5] =
+            [&[0, 1, 2, 3], &[3, 2, 1, 0], &[4, 5, 6], &[], &[7, 8, 9, 10, 11]];
+        let mut faces = Faces::default();
+        for (count, face) in given.iter().enumerate() {
+            faces.push(face);
+            assert!(faces.iter().eq(given[..=count].iter().copied()));
+        }
+        assert_eq!(faces.arity(), None);
+    }
+
+    #[test]
+    fn equal_faces_stay_uniform() {
+        let mut faces = Faces::default();
+        faces.push(&[0, 1, 2, 3]);
+        faces.push(&[0, 1, 2, 3]);
+        assert_eq!((faces.arity(), faces.len()), (Some(4), 2));
+    }
+}

@@ -1,0 +1,221 @@
+//! The mesh: positions, faces and attributes that belong together.
+
+use std::borrow::Cow;
+
+use super::attributes::{Attributes, AttributesError};
+use super::faces::Faces;
+
+/// A polygon mesh: positions, faces over them, and what an OBJ file attaches to both.
+///
+/// Faces and attributes change together, so that an index never names the corner of another face.
+/// Nothing else is promised: indices may be out of range, faces degenerate, coordinates NaN.
+/// [`Triangulation::build`](crate::triangulation::Triangulation::build) checks that.
+///
+/// ```
+/// use triquad::Mesh;
+///
+/// let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// let mesh = Mesh::from_triangles(positions, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+/// assert_eq!((mesh.positions().len(), mesh.faces().len()), (4, 4));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    pub(super) positions: Vec<[f64; 3]>,
+    pub(super) faces: Faces,
+    pub(super) attributes: Option<Box<Attributes>>,
+    pub(super) left_out: Vec<String>,
+    /// For each face the face of the file (from 0) that it was cut from; empty if none was cut.
+    cut_from: Vec<u32>,
+}
+
+impl Mesh {
+    /// Makes a mesh without attributes.
+    pub fn new(positions: Vec<[f64; 3]>, faces: Faces) -> Self {
+        Self { positions, faces, ..Self::default() }
+    }
+
+    /// Makes a mesh of triangles without attributes.
+    pub fn from_triangles(positions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
+        Self::new(positions, Faces::uniform(3, triangles.into_flattened()))
+    }
+
+    /// Returns the coordinates of all vertices in file order, unreferenced ones included.
+    pub fn positions(&self) -> &[[f64; 3]] {
+        &self.positions
+    }
+
+    /// Returns the coordinates of all vertices for change; their number stays.
+    pub fn positions_mut(&mut self) -> &mut [[f64; 3]] {
+        &mut self.positions
+    }
+
+    /// Returns the faces in file order.
+    pub fn faces(&self) -> &Faces {
+        &self.faces
+    }
+
+    /// Returns the texture coordinates, normals, groups and materials, where the file has any.
+    pub fn attributes(&self) -> Option<&Attributes> {
+        self.attributes.as_deref()
+    }
+
+    /// Returns what the file holds and the mesh does not, in words for the user.
+    pub fn left_out(&self) -> &[String] {
+        &self.left_out
+    }
+
+    /// Takes the mesh apart into positions and faces.
+    pub fn into_parts(self) -> (Vec<[f64; 3]>, Faces) {
+        (self.positions, self.faces)
+    }
+
+    /// Replaces the faces. The attributes belong to the old faces and are dropped with them.
+    #[must_use]
+    pub fn with_faces(mut self, faces: Faces) -> Self {
+        self.replace_faces(faces);
+        self
+    }
+
+    /// Replaces the faces as [`Mesh::with_faces`] does and returns the old ones.
+    pub(crate) fn replace_faces(&mut self, faces: Faces) -> Faces {
+        self.attributes = None;
+        self.cut_from = Vec::new();
+        std::mem::replace(&mut self.faces, faces)
+    }
+
+    /// Attaches attributes in place of those there are. O(corners).
+    ///
+    /// # Errors
+    /// The attributes are not those of a mesh with these faces.
+    pub fn with_attributes(self, attributes: Attributes) -> Result<Self, AttributesError> {
+        attributes.check(self.faces.len(), self.faces.corners().len())?;
+        Ok(self.attach(Some(attributes)))
+    }
+
+    /// Attaches attributes made for these faces.
+    pub(crate) fn attach(self, attributes: Option<Attributes>) -> Self {
+        let fits =
+            |given: &Attributes| given.check(self.faces.len(), self.faces.corners().len()).is_ok();
+        debug_assert!(attributes.as_ref().is_none_or(fits));
+        Self { attributes: attributes.map(Box::new), ..self }
+    }
+
+    /// Returns the position in the file (from 0) of `face`, whatever faces have been cut.
+    pub fn face_in_file(&self, face: usize) -> usize {
+        self.cut_from.get(face).map_or(face, |&original| original as usize)
+    }
+
+    /// Reverses one face and keeps its first corner first.
+    pub fn reverse_face(&mut self, face: usize) {
+        let range = self.faces.range(face);
+        self.faces.corners[range.clone()][1..].reverse();
+        if let Some(attributes) = &mut self.attributes {
+            for indices in [&mut attributes.corner_texture, &mut attributes.corner_normal] {
+                if !indices.is_empty() {
+                    indices[range.clone()][1..].reverse();
+                }
+            }
+        }
+    }
+
+    /// Cuts every face of more than three corners into a fan of triangles at its first corner.
+    ///
+    /// Faces of fewer corners stay what they are. O(n).
+    pub fn triangulate(&mut self) {
+        if self.faces.arity() == Some(3) {
+            return;
+        }
+        let old = std::mem::take(&mut self.faces);
+        let mut sources = Vec::new();
+        let mut first_new = Vec::with_capacity(old.len() + 1);
+        for face in 0..old.len() {
+            first_new.push(self.faces.len());
+            let range = old.range(face);
+            if range.len() <= 3 {
+                sources.extend(range);
+                self.faces.push(old.get(face));
+                self.cut_from.push(face as u32);
+                continue;
+            }
+            for at in range.start + 1..range.end - 1 {
+                let triangle = [range.start, at, at + 1];
+                sources.extend(triangle);
+                self.faces.push(&triangle.map(|corner| old.corners[corner]));
+                self.cut_from.push(face as u32);
+            }
+        }
+        first_new.push(self.faces.len());
+        if let Some(attributes) = &mut self.attributes {
+            attributes.rearrange(&sources, &first_new);
+        }
+    }
+}
+
+impl From<Mesh> for Cow<'_, Mesh> {
+    fn from(mesh: Mesh) -> Self {
+        Cow::Owned(mesh)
+    }
+}
+
+impl<'a> From<&'a Mesh> for Cow<'a, Mesh> {
+    fn from(mesh: &'a Mesh) -> Self {
+        Cow::Borrowed(mesh)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::FaceSection;
+
+    #[test]
+    fn fans_carry_what_is_attached() {
+        let given: [&[u32]; 3] = [&[0, 1, 2, 3, 4], &[5, 6], &[7, 8, 9]];
+        let mut list = Mesh::new(Vec::new(), Faces::from_iter(given));
+        list.attributes = Some(Box::new(Attributes {
+            corner_texture: (10..20).collect(),
+            sections: vec![
+                FaceSection { first_face: 1, line: "g a".into() },
+                FaceSection { first_face: 3, line: "g b".into() },
+            ],
+            ..Attributes::default()
+        }));
+        list.triangulate();
+        let expected: [&[u32]; 5] = [&[0, 1, 2], &[0, 2, 3], &[0, 3, 4], &[5, 6], &[7, 8, 9]];
+        assert!(list.faces.iter().eq(expected));
+        list.reverse_face(4);
+        let attributes = list.attributes.unwrap();
+        assert_eq!(
+            attributes.corner_texture,
+            [10, 11, 12, 10, 12, 13, 10, 13, 14, 15, 16, 17, 19, 18]
+        );
+        assert_eq!(list.faces.get(4), [7, 9, 8]);
+        assert_eq!(attributes.sections.iter().map(|s| s.first_face).collect::<Vec<_>>(), [3, 5]);
+    }
+
+    #[test]
+    fn attributes_of_other_faces_are_refused() {
+        let triangle = || Mesh::from_triangles(vec![[0.0; 3]; 3], vec![[0, 1, 2]]);
+        let mut given = Attributes::default();
+        given.texture_coordinates.push(b"0 0");
+        for (corner_texture, fits) in
+            [(vec![0, 0, 0], true), (vec![0; 4], false), (vec![0, 0, 1], false)]
+        {
+            let given = Attributes { corner_texture, ..given.clone() };
+            assert_eq!(triangle().with_attributes(given).is_ok(), fits);
+        }
+        let sections = vec![FaceSection { first_face: 2, line: "g a".into() }];
+        let late = Attributes { sections, ..Attributes::default() };
+        assert_eq!(triangle().with_attributes(late), Err(AttributesError::SectionOrder(0)));
+    }
+
+    #[test]
+    fn new_faces_leave_the_attributes_behind() {
+        let mut given = Attributes { corner_texture: vec![0; 3], ..Attributes::default() };
+        given.texture_coordinates.push(b"0 0");
+        let mesh = Mesh::from_triangles(vec![[0.0; 3]; 4], vec![[0, 1, 2]]);
+        let mesh = mesh.with_attributes(given).unwrap();
+        let quad = mesh.with_faces(Faces::uniform(4, vec![0, 1, 2, 3]));
+        assert_eq!(quad.attributes(), None);
+    }
+}
