@@ -1,14 +1,14 @@
-//! Where time is read, so that it can be scripted in tests.
+//! Clocks: the system's, and one that is scripted in tests.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 
-/// Something that tells seconds since some fixed moment.
+/// A source of seconds since some fixed moment.
 pub trait Clock {
-    /// Seconds, never going back.
+    /// Returns the seconds, which never decrease.
     fn seconds(&self) -> f64;
 
-    /// Runs `work` and tells how many seconds passed.
+    /// Runs `work` and returns its result with the seconds that passed.
     fn time<T>(&self, work: impl FnOnce() -> T) -> (T, f64)
     where
         Self: Sized,
@@ -35,7 +35,7 @@ impl Clock for SystemClock {
     }
 }
 
-/// A clock that moves on by the same step each time it is read.
+/// A clock that advances by the same step at each reading.
 #[derive(Debug)]
 pub struct SteppingClock {
     readings: AtomicU32,
@@ -43,7 +43,7 @@ pub struct SteppingClock {
 }
 
 impl SteppingClock {
-    /// A clock that first tells 0, then `step`, `2 step` …
+    /// Makes a clock whose readings are 0, `step`, `2 step` …
     pub fn new(step: f64) -> Self {
         Self { readings: AtomicU32::new(0), step }
     }

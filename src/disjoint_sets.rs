@@ -1,49 +1,78 @@
-//! Disjoint sets whose members know their parity relative to the root.
+//! Disjoint sets, and disjoint sets whose members have a parity.
 
-/// Disjoint sets over `0..n`, each member even or odd relative to the root of its set.
+/// Disjoint sets over `0..n`, as trees of 4 bytes a member.
 ///
-/// Union by size and path halving; without parities (all joins even) these are the ordinary sets.
-pub(crate) struct ParitySets {
+/// Searches halve their paths: O(log n) amortised, in practice O(1).
+pub(crate) struct DisjointSets {
     parent: Vec<u32>,
-    size: Vec<u32>,
-    odd: Vec<bool>,
 }
 
-impl ParitySets {
-    /// `n` sets of one even member each.
+impl DisjointSets {
+    /// Makes `n` sets of one member each. O(n).
     pub(crate) fn new(n: usize) -> Self {
-        Self { parent: (0..n as u32).collect(), size: vec![1; n], odd: vec![false; n] }
+        Self { parent: (0..n as u32).collect() }
     }
 
-    /// The root of the set of `member`, and whether `member` is odd relative to it.
-    pub(crate) fn find(&mut self, member: u32) -> (u32, bool) {
-        let mut at = member as usize;
-        let mut odd = false;
-        while self.parent[at] as usize != at {
-            let up = self.parent[at] as usize;
-            // Halving: skip the parent, adding its parity to ours (a root's is even).
-            self.odd[at] ^= self.odd[up];
-            self.parent[at] = self.parent[up];
-            odd ^= self.odd[at];
-            at = self.parent[at] as usize;
+    /// Returns the root of the set of `member`.
+    #[inline]
+    pub(crate) fn find(&mut self, member: u32) -> u32 {
+        let mut at = member;
+        loop {
+            let up = self.parent[at as usize];
+            if up == at {
+                return at;
+            }
+            let higher = self.parent[up as usize];
+            self.parent[at as usize] = higher;
+            at = higher;
         }
-        (at as u32, odd)
+    }
+
+    /// Joins the sets of `a` and `b` under the lower root. Returns whether they were two.
+    #[inline]
+    pub(crate) fn join(&mut self, a: u32, b: u32) -> bool {
+        let (a, b) = (self.find(a), self.find(b));
+        self.parent[a.max(b) as usize] = a.min(b);
+        a != b
+    }
+
+    /// Hangs the set with root `root` on a member of another set, whose root becomes that of both.
+    #[inline]
+    pub(crate) fn hang(&mut self, root: u32, member: u32) {
+        debug_assert!(self.parent[root as usize] == root && self.find(member) != root);
+        self.parent[root as usize] = member;
+    }
+}
+
+/// Disjoint sets over `0..n`, each member even or odd relative to the others of its set.
+///
+/// Member v stands in two of the sets below: 2v in that of the members like v, 2v + 1 in that of
+/// the members unlike v. 8 bytes a member.
+pub(crate) struct ParitySets(DisjointSets);
+
+impl ParitySets {
+    /// Makes `n` sets of one even member each. O(n).
+    pub(crate) fn new(n: usize) -> Self {
+        Self(DisjointSets::new(2 * n))
+    }
+
+    /// Returns a member that names the set of `member`, and whether `member` is odd relative to it.
+    pub(crate) fn find(&mut self, member: u32) -> (u32, bool) {
+        let like = self.0.find(2 * member);
+        let unlike = self.0.find(2 * member + 1);
+        (like.min(unlike) / 2, like > unlike)
     }
 
     /// Joins the sets of `a` and `b` so that they differ in parity exactly if `differ`.
     ///
-    /// False if both are in one set already with the other relation.
+    /// Returns false if both are in one set already with the other relation.
     pub(crate) fn join(&mut self, a: u32, b: u32, differ: bool) -> bool {
-        let ((root_a, odd_a), (root_b, odd_b)) = (self.find(a), self.find(b));
-        let parity = odd_a ^ odd_b ^ differ;
-        if root_a == root_b {
-            return !parity;
+        let [like, unlike] = [2 * b + u32::from(differ), 2 * b + u32::from(!differ)];
+        if self.0.find(2 * a) == self.0.find(unlike) {
+            return false;
         }
-        let a_larger = self.size[root_a as usize] >= self.size[root_b as usize];
-        let (above, below) = if a_larger { (root_a, root_b) } else { (root_b, root_a) };
-        self.parent[below as usize] = above;
-        self.odd[below as usize] = parity;
-        self.size[above as usize] += self.size[below as usize];
+        self.0.join(2 * a, like);
+        self.0.join(2 * a + 1, unlike);
         true
     }
 }
@@ -51,6 +80,17 @@ impl ParitySets {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sets_are_joined_under_the_lower_root_or_as_they_are_hung() {
+        let mut sets = DisjointSets::new(6);
+        assert!(sets.join(4, 2) && sets.join(5, 4));
+        assert_eq!([2, 4, 5].map(|v| sets.find(v)), [2; 3]);
+        assert!(!sets.join(2, 5));
+        sets.hang(2, 3);
+        assert_eq!([2, 3, 4, 5].map(|v| sets.find(v)), [3; 4]);
+        assert_eq!([0, 1].map(|v| sets.find(v)), [0, 1]);
+    }
 
     #[test]
     fn parities_follow_the_joins() {

@@ -33,6 +33,7 @@ pub mod dynamic;
 pub mod irreducible;
 pub mod matching;
 pub mod mesh;
+mod names;
 pub mod pairing;
 mod prefetch;
 pub mod quadrangulation;
@@ -41,6 +42,7 @@ pub mod random;
 mod samples;
 pub mod simplify;
 pub mod triangulation;
+mod vector;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum};
 pub use convert::{ConvertError, Converted, Converter, Progress, Quadrangulated, Report, Stage};
@@ -48,6 +50,7 @@ pub use dual::{DualGraph, Matching, PerfectMatching};
 pub use mesh::Mesh;
 #[cfg(feature = "files")]
 pub use mesh::MeshError;
+pub use names::UnknownNameError;
 pub use pairing::{Algorithm, Expansion};
 pub use quadrangulation::{CheckReport, Mismatch, Quadrangulation, check, check_retriangulation};
 pub use triangulation::{Element, Law, Survey, Triangulation, Violation};

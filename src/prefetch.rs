@@ -2,9 +2,9 @@
 
 /// Starts to load `items[index]` into the cache and does not wait for it; any `index` will do.
 ///
-/// Does nothing on processors for which the standard library has no such instruction. For walks
-/// whose next steps lie far apart in memory: the pairing of a regular torus of a million triangles
-/// takes twice as long without.
+/// Does nothing on processors for which the standard library has no such instruction. Use it in
+/// walks whose next steps lie far apart in memory. Without it the pairing of a regular torus of a
+/// million triangles takes twice as long.
 #[inline]
 #[allow(unsafe_code)]
 pub(crate) fn prefetch<T>(items: &[T], index: usize) {

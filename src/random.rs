@@ -11,7 +11,8 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 pub struct Random(ChaCha8Rng);
 
 impl Random {
-    /// The stream that belongs to `names` (algorithm, mesh, repetition …) under a master seed.
+    /// Makes the stream that belongs to `names` (algorithm, mesh, repetition …) under a master
+    /// seed.
     ///
     /// Streams of different names are independent: adding or dropping one moves no other.
     pub fn stream(seed: u64, names: &[&str]) -> Self {
@@ -22,7 +23,7 @@ impl Random {
         Self(rng)
     }
 
-    /// A uniform draw from `0..bound` (Lemire's multiplication with rejection).
+    /// Draws uniformly from `0..bound` (Lemire's multiplication with rejection).
     ///
     /// # Panics
     /// If `bound` is 0.
@@ -37,7 +38,7 @@ impl Random {
         }
     }
 
-    /// A uniformly random order of `items`, which must be fewer than 2^32 (Fisher-Yates). O(n).
+    /// Shuffles `items`, which must be fewer than 2^32, uniformly (Fisher-Yates). O(n).
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for last in (1..items.len()).rev() {
             let other = self.below(last as u32 + 1) as usize;
@@ -46,7 +47,7 @@ impl Random {
     }
 }
 
-/// The 64-bit FNV-1a hash of `names`, each ended by a byte that UTF-8 never uses.
+/// Returns the 64-bit FNV-1a hash of `names`, each ended by a byte that UTF-8 never uses.
 fn fnv1a(names: &[&str]) -> u64 {
     let bytes = names.iter().flat_map(|name| name.bytes().chain([0xff]));
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {

@@ -16,10 +16,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde_json::Value;
-use triquad::irreducible::Method;
+use triquad::irreducible::Contractor;
 use triquad::mesh::{self, Mesh, Output};
 use triquad::random::Random;
-use triquad::triangulation::Id;
 use triquad::{Algorithm, DualGraph, Triangulation};
 use triquad_generators::{grids, random};
 
@@ -106,7 +105,7 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
                 keep_best(best.entry(algorithm).or_default(), &run("convert", path, algorithm)?);
             }
         }
-        for method in Method::ALL.map(Method::id) {
+        for method in Contractor::ALL.map(Contractor::id) {
             keep_best(best.entry(method).or_default(), &run("irreducible", path, method)?);
         }
         for variant in VARIANTS {
@@ -123,7 +122,7 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
     if best["tq"]["triangles"] <= PETGRAPH_LIMIT {
         println!("{:24.24} {:>14} {:>23.3}", "", "petgraph", petgraph_seconds(path)?);
     }
-    for method in Method::ALL.map(Method::id) {
+    for method in Contractor::ALL.map(Contractor::id) {
         print_irreducible(method, &best[method], lemon.is_some().then_some(yardstick));
     }
     Ok(())

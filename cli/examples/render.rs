@@ -65,7 +65,7 @@ fn draw(options: &Options) -> Result<(), Box<dyn std::error::Error>> {
             .map(|numbers| Section { point: three(&numbers[..3]), normal: three(&numbers[3..]) }),
         background: if options.transparent { None } else { Some([255; 3]) },
         lines: Lines { edges: !options.no_edges, ..Lines::default() },
-        ..Picture::of(polygons(&mesh))
+        ..Picture::new(polygons(&mesh))
     };
     image.draw()?.write_png(std::fs::File::create(&options.output)?)?;
     Ok(())

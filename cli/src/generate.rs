@@ -150,7 +150,7 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
     });
     let list = made.map_err(|error| failure(recipe, &error))?;
     status.say("writing the mesh");
-    let shape = Shape::of(&list);
+    let shape = Shape::new(&list);
     let (written, write_seconds) = clock.time(|| output.write(&list));
     written.map_err(|error| input::mesh_failure(path, &error))?;
     drop(status);

@@ -6,8 +6,8 @@ use serde::Serialize;
 use triquad::Mesh;
 use triquad::Triangulation;
 use triquad::clock::{Clock, SystemClock};
-use triquad::irreducible::{Irreducible, Method, Order, check_irreducible};
-use triquad::triangulation::{Id, VertexId};
+use triquad::irreducible::{Contractor, Irreducible, Order, check_irreducible};
+use triquad::triangulation::VertexId;
 
 use crate::failure::Failure;
 use crate::input::{self, Repairs};
@@ -34,8 +34,8 @@ pub struct Arguments {
     output: Option<PathBuf>,
     /// How contractible edges are found:
     /// rs (Ramaswami-Siqueira, each edge tested once), schipper, brute-force
-    #[arg(long, default_value = "rs", value_name = "NAME", value_parser = one_of(Method::ALL, Method::id))]
-    algorithm: Method,
+    #[arg(long, default_value = "rs", value_name = "NAME", value_parser = one_of(Contractor::ALL, Contractor::id))]
+    algorithm: Contractor,
     /// The order in which rs processes vertices: file or random
     #[arg(long, default_value = "file", value_name = "NAME", value_parser = one_of(Order::ALL, Order::id))]
     order: Order,

@@ -17,7 +17,7 @@ const DRAWN: [(&str, Algorithm); 6] = [
     ("ds", Algorithm::DiksStanczyk),
     ("lrs", Algorithm::Lrs(Expansion::Printed)),
     ("lrs few-flips", Algorithm::Lrs(Expansion::FewFlips)),
-    ("tq", Algorithm::Triquad),
+    ("tq", Algorithm::EagerRescue),
 ];
 
 /// Draws into `pictures` in `out`, which takes seconds and is told to `say`, unless these pictures are

@@ -119,11 +119,13 @@ fn simplified(
 }
 
 fn failure(arguments: &Arguments, error: &SimplifyError) -> Failure {
+    let input = arguments.input.display();
     let remedy = match error {
         SimplifyError::TooMany { present, .. } => format!("ask for {present} or fewer"),
         SimplifyError::Irreducible { reached, .. } => format!("ask for {reached} or more"),
+        _ => return Failure::bad(format!("{input}: {error}")),
     };
-    Failure::bad(format!("{}: {error}; {remedy}", arguments.input.display()))
+    Failure::bad(format!("{input}: {error}; {remedy}"))
 }
 
 impl Stats {
@@ -154,7 +156,7 @@ impl Stats {
 
     /// What the result is like.
     fn describe(&mut self, list: &Mesh, triangulation: &Triangulation) {
-        let shape = Shape::of(list);
+        let shape = Shape::new(list);
         self.result_vertices = triangulation.vertex_count();
         self.result_edges = triangulation.edge_count();
         self.result_triangles = triangulation.triangle_count();

@@ -1,15 +1,16 @@
-//! Where a mesh is seen from, and the map from its coordinates to the screen.
+//! The camera, and the map from its coordinates to the screen.
 
-use super::PictureError;
+use super::error::PictureError;
 use super::vector::{Vector, cross, dot, minus, unit};
 
-/// Where the eye is and what it looks at. The mesh, or what a section leaves of it,
-/// is fitted to the image whatever its size.
+/// Position and direction of the eye. The mesh, or what a section leaves of it, is fitted to the
+/// image whatever its size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     /// From the mesh to the eye; the length does not matter.
     pub direction: [f64; 3],
-    /// What is up in the image; another axis takes its place where it is parallel to `direction`.
+    /// The direction that is up in the image; another axis takes its place where it is parallel to
+    /// `direction`.
     pub up: [f64; 3],
     /// Distance of the eye from the middle of the bounding box in half diagonals of the box, more
     /// than 1; None looks from infinity, so that parallel lines stay parallel.
@@ -55,7 +56,7 @@ impl Camera {
         Err(PictureError::Camera(wrong))
     }
 
-    /// Axes of the view: to the right, up, to the eye.
+    /// Returns the axes of the view: to the right, up, to the eye.
     fn axes(&self) -> Option<[Vector; 3]> {
         let back = unit(self.direction)?;
         let sideways = |up: Vector| {
@@ -72,8 +73,8 @@ impl Camera {
 /// The map from mesh to view coordinates (the mesh fits in [-1, 1]³ before it is turned; x to the
 /// right, y up, z to the eye) and on to the screen.
 ///
-/// Screen coordinates are x to the right and y down, in samples, and nearness: greater is nearer, in
-/// samples too at the middle of the mesh. All three are affine on the image of a plane.
+/// Screen coordinates are x to the right and y down, in samples, and nearness: greater is nearer,
+/// in samples too at the middle of the mesh. All three are affine on the image of a plane.
 #[derive(Debug)]
 pub struct Projection {
     centre: Vector,
@@ -88,7 +89,7 @@ pub struct Projection {
 }
 
 impl Projection {
-    /// The view of a mesh with the given vertices, not yet fitted to a screen. O(n).
+    /// Makes the view of a mesh with the given vertices, not yet fitted to a screen. O(n).
     pub fn new(
         camera: &Camera,
         vertices: impl Iterator<Item = Vector>,
@@ -112,7 +113,7 @@ impl Projection {
         })
     }
 
-    /// Least and greatest screen coordinates of points in view coordinates. O(n).
+    /// Returns the least and greatest screen coordinates of points in view coordinates. O(n).
     pub fn screen_bounds(&self, points: impl Iterator<Item = Vector>) -> (Vector, Vector) {
         bounds(points.map(|point| self.screen(point)))
     }
@@ -129,18 +130,18 @@ impl Projection {
         self.origin = [0, 1].map(|i| size[i] as f64 / 2.0 - self.scale * middle[i]);
     }
 
-    /// View coordinates of a point of the mesh.
+    /// Returns the view coordinates of a point of the mesh.
     pub fn view(&self, point: Vector) -> Vector {
         let from_centre = minus(point, self.centre).map(|x| x / self.half_extent);
         self.turn(from_centre)
     }
 
-    /// A direction in view coordinates.
+    /// Returns a direction in view coordinates.
     pub fn turn(&self, direction: Vector) -> Vector {
         self.axes.map(|axis| dot(axis, direction))
     }
 
-    /// Screen coordinates of a point in view coordinates.
+    /// Returns the screen coordinates of a point in view coordinates.
     pub fn screen(&self, [x, y, z]: Vector) -> Vector {
         let closer = self.enlargement(z);
         let [right, down, near] = if self.distance == f64::INFINITY {
@@ -151,18 +152,18 @@ impl Projection {
         [self.origin[0] + self.scale * right, self.origin[1] + self.scale * down, self.scale * near]
     }
 
-    /// How much larger than at the middle of the mesh things look at depth `z`.
+    /// Returns the enlargement at depth `z`, relative to the middle of the mesh.
     fn enlargement(&self, z: f64) -> f64 {
         if self.distance == f64::INFINITY { 1.0 } else { self.distance / (self.distance - z) }
     }
 
-    /// What `samples` towards the eye add to the nearness at depth `z`; on a line in space this is
-    /// affine on the screen as the nearness itself.
+    /// Returns the nearness that `samples` towards the eye add at depth `z`. On a line in space it
+    /// is affine on the screen, like the nearness itself.
     pub fn lift(&self, z: f64, samples: f64) -> f64 {
         samples * self.enlargement(z)
     }
 
-    /// From a point to the eye, in view coordinates, of any length.
+    /// Returns a vector from a point to the eye, in view coordinates, of any length.
     pub fn to_eye(&self, point: Vector) -> Vector {
         if self.distance == f64::INFINITY {
             [0.0, 0.0, 1.0]
@@ -172,7 +173,7 @@ impl Projection {
     }
 }
 
-/// Least and greatest coordinates.
+/// Returns the least and greatest coordinates.
 fn bounds(points: impl Iterator<Item = Vector>) -> (Vector, Vector) {
     let none = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     points.fold(none, |(low, high), p| {

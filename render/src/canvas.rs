@@ -1,7 +1,8 @@
 //! Samples with a depth buffer: convex polygons in, an image out.
 //!
 //! Coverage is decided in whole numbers: corners are rounded to 1/256 of a sample and a sample on a
-//! side belongs to one of the two polygons there, so that neighbours neither overlap nor leave gaps.
+//! side belongs to one of the two polygons there, so that neighbours neither overlap nor leave
+//! gaps.
 
 use std::ops::Range;
 
@@ -12,19 +13,20 @@ const UNIT_BITS: u32 = 8;
 const UNIT: f64 = (1 << UNIT_BITS) as f64;
 const HALF_UNIT: i64 = 1 << (UNIT_BITS - 1);
 
-/// Farthest corner that is told apart, in fixed-point units: products of two differences fit an i64.
+/// Farthest corner that is told apart, in fixed-point units: products of two differences fit an
+/// i64.
 const FARTHEST: f64 = (1 << 29) as f64;
 
 /// A corner on the grid of fixed-point units.
 pub type Corner = [i64; 2];
 
-/// The corner at screen coordinates `x` and `y`.
+/// Returns the corner at screen coordinates `x` and `y`.
 pub fn corner(x: f64, y: f64) -> Corner {
     [x, y].map(|x| (x * UNIT).round().clamp(-FARTHEST, FARTHEST) as i64)
 }
 
-/// Twice the area of a polygon in square fixed-point units; positive if x turns to y, as it does
-/// clockwise on the screen.
+/// Returns twice the area of a polygon in square fixed-point units; positive if x turns to y, as it
+/// does clockwise on the screen.
 pub fn doubled_area(corners: &[Corner]) -> i64 {
     let [first, ..] = corners else { return 0 };
     let fan = corners.windows(2);
@@ -46,7 +48,7 @@ pub struct Slope {
 }
 
 impl Slope {
-    /// Through three points of the screen, unless they lie on a line.
+    /// Makes the slope through three points of the screen, unless they lie on a line.
     pub fn through([a, b, c]: [Vector; 3]) -> Option<Self> {
         let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
         let area = p[0] * q[1] - p[1] * q[0];
@@ -63,7 +65,7 @@ impl Slope {
         slope.at_origin.is_finite().then_some(slope)
     }
 
-    /// From `a` to `b`, the same on all lines across, unless the two are one.
+    /// Makes the slope from `a` to `b`, constant across, unless the two are one.
     pub fn along(a: Vector, b: Vector) -> Option<Self> {
         let across = [a[0] - (b[1] - a[1]), a[1] + (b[0] - a[0]), a[2]];
         Self::through([a, b, across])
@@ -76,7 +78,7 @@ impl Slope {
     }
 }
 
-/// What is seen at every sample so far.
+/// The face and the ink seen at every sample so far.
 #[derive(Debug)]
 pub struct Canvas {
     /// Samples in a row.
@@ -87,12 +89,12 @@ pub struct Canvas {
     pub near: Vec<f32>,
     /// Colour of the face seen.
     pub colour: Vec<[u8; 3]>,
-    /// How strongly a line is seen above it.
+    /// Strength of the line above it.
     pub ink: Vec<u8>,
 }
 
 impl Canvas {
-    /// Nothing seen yet.
+    /// Makes an empty canvas.
     pub fn new([width, height]: [usize; 2]) -> Self {
         let samples = width * height;
         Self {
@@ -179,12 +181,12 @@ fn narrow(from: Corner, to: Corner, y: i64, left: &mut i64, right: &mut i64) {
     }
 }
 
-/// The first sample whose centre is not before `position`.
+/// Returns the first sample whose centre is not before `position`.
 fn first_from(position: i64) -> i64 {
     -((HALF_UNIT - position) >> UNIT_BITS)
 }
 
-/// The last sample whose centre is not after `position`.
+/// Returns the last sample whose centre is not after `position`.
 fn last_until(position: i64) -> i64 {
     (position - HALF_UNIT) >> UNIT_BITS
 }
@@ -197,7 +199,7 @@ mod tests {
 
     const SIZE: [usize; 2] = [9, 7];
 
-    /// How often each sample is visited.
+    /// Returns how often each sample is visited.
     fn visits(polygons: &mut [Vec<Corner>]) -> Vec<u32> {
         let mut visits = vec![0; SIZE[0] * SIZE[1]];
         for corners in polygons {
@@ -224,7 +226,9 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_triangle_has_the_samples_inside_and_none_outside(triangle in [grid_corner(), grid_corner(), grid_corner()]) {
+        fn a_triangle_has_the_samples_inside_and_none_outside(
+            triangle in [grid_corner(), grid_corner(), grid_corner()],
+        ) {
             let [a, b, c] = triangle;
             // A corner that is there twice, as a section may leave it, changes nothing.
             let visits = visits(&mut [vec![a, b, b, c]]);
@@ -238,7 +242,11 @@ mod tests {
 
         /// Triangles around a point inside a rectangle over the whole canvas.
         #[test]
-        fn neighbours_neither_overlap_nor_leave_gaps(x in 0..18i64, y in 0..14i64, flip in any::<bool>()) {
+        fn neighbours_neither_overlap_nor_leave_gaps(
+            x in 0..18i64,
+            y in 0..14i64,
+            flip in any::<bool>(),
+        ) {
             let corners = [[0, 0], [2304, 0], [2304, 1792], [0, 1792]];
             let hub = [128 * x, 128 * y];
             let triangle = |i: usize| vec![corners[i], corners[(i + 1) % 4], hub];

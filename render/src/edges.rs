@@ -1,14 +1,15 @@
 //! Edges: lines of constant width on the screen, hidden behind faces.
 
+use super::camera::Projection;
 use super::canvas::{Canvas, Slope, corner};
 use super::polygons::Polygons;
+use super::request::{Lines, Picture};
 use super::resolve::FULL_INK;
 use super::section::Cut;
 use super::vector::{Vector, cross, dot, minus};
-use super::{Lines, Picture, Projection};
 
-/// How far lines are lifted towards the eye, in pixels: half a line's width beside an edge the face
-/// may have come that much nearer. Walls thinner than this let lines through.
+/// Lift of lines towards the eye, in pixels: half a line's width beside an edge the face may be
+/// that much nearer. Walls thinner than this let lines through.
 const LIFT: f64 = 1.5;
 
 /// Heights of faces on the screen, in line widths, at which their edges begin to be seen and from
@@ -39,7 +40,7 @@ pub fn draw(picture: &Picture, lines: &Lines, pen: &mut Pen) {
     }
 }
 
-/// How far `value` is on the way between two bounds, 0 to 1.
+/// Returns the share of the way between two bounds at which `value` lies, 0 to 1.
 fn share([low, high]: [f64; 2], value: f64) -> f64 {
     ((value - low) / (high - low)).clamp(0.0, 1.0)
 }
@@ -83,7 +84,8 @@ impl Pen<'_> {
         }
     }
 
-    /// Twice the area of a polygon on the screen and its height above its longest side, in samples.
+    /// Returns twice the area of a polygon on the screen and its height above its longest side, in
+    /// samples.
     fn area_and_height(&self, view: &[Vector]) -> (f64, f64) {
         let Some(&last) = view.last() else { return (0.0, 0.0) };
         let flat = |point: Vector| {

@@ -1,10 +1,11 @@
 //! Faces: shaded, cut by the section, painted.
 
+use super::camera::Projection;
 use super::canvas::{Canvas, Corner, Slope, corner};
 use super::light::{lit, mixed};
+use super::request::Picture;
 use super::section::Cut;
 use super::vector::{Vector, cross, dot, minus, unit};
-use super::{Picture, Projection};
 
 /// Within this sine of edge-on, a back face takes its own tone little by little: a bent quad may
 /// well show a sliver of its back at the outline.
@@ -54,15 +55,15 @@ fn paint_triangle(
     canvas.paint(&mut corners[..count], &depth, colour);
 }
 
-/// The unit normal of a face by Newell's method, if it has an area.
+/// Returns the unit normal of a face by Newell's method, if it has an area.
 pub fn normal(corners: &[Vector]) -> Option<Vector> {
     let [first, rest @ ..] = corners else { return None };
     let fan = rest.windows(2).map(|pair| cross(minus(pair[0], *first), minus(pair[1], *first)));
     unit(fan.fold([0.0; 3], |sum, part| [0, 1, 2].map(|i| sum[i] + part[i])))
 }
 
-/// The triangles of a face: a fan at its first corner, of a quad with a dent at its second at the
-/// corner that sees the whole of it.
+/// Iterates over the triangles of a face: a fan at its first corner, of a quad with a dent at its second
+/// at the corner that sees the whole of it.
 fn triangles(corners: &[Vector], normal: Vector) -> impl Iterator<Item = [Vector; 3]> {
     let turned = |[a, b, c]: [Vector; 3]| dot(cross(minus(b, a), minus(c, a)), normal) < 0.0;
     let shift = match *corners {

@@ -27,17 +27,18 @@ impl Image {
         self.width
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn height(&self) -> usize {
         self.height
     }
 
-    /// Red, green, blue and opacity of all pixels, row after row; colour is not multiplied by opacity.
+    /// Returns red, green, blue and opacity of all pixels, row after row. Colour is not multiplied
+    /// by opacity.
     pub fn pixels(&self) -> &[[u8; 4]] {
         &self.pixels
     }
 
-    /// The pixel `x` from the left and `y` from the top.
+    /// Returns the pixel `x` from the left and `y` from the top.
     ///
     /// # Panics
     /// If the image has no such pixel.
@@ -58,7 +59,8 @@ impl Image {
         Ok(writer.finish()?)
     }
 
-    /// The image as a small PNG file: of at most 256 colours, as if all pixels were opaque. O(pixels).
+    /// Returns the image as a small PNG file: of at most 256 colours, as if all pixels were opaque.
+    /// O(pixels).
     pub fn small_png(&self) -> Vec<u8> {
         let (colours, indices) = palette::reduce(&self.pixels);
         let mut bytes = Vec::new();

@@ -14,29 +14,30 @@ const LAMPS: [(Vector, f64); 4] = [
 /// Light that comes from everywhere.
 const AMBIENT: f64 = 0.16;
 
-/// The colour of a face of the given colour and unit normal, turned to the eye, in view coordinates.
+/// Returns the colour of a face of the given colour and unit normal, turned to the eye, in view
+/// coordinates.
 pub fn lit(colour: [u8; 3], normal: Vector) -> [u8; 3] {
     let from = |(lamp, share): (Vector, f64)| {
-        let towards = unit(lamp).expect("a lamp is somewhere");
+        let towards = unit(lamp).expect("lamp directions are non-zero");
         share * dot(towards, normal).max(0.0)
     };
     let light = LAMPS.into_iter().map(from).fold(AMBIENT, |sum, part| sum + part);
     colour.map(|part| encode(decode(part) * light))
 }
 
-/// Between two colours, `share` of the way in amounts of light.
+/// Returns the colour between two, `share` of the way in amounts of light.
 pub fn mixed(one: [u8; 3], other: [u8; 3], share: f64) -> [u8; 3] {
     [0, 1, 2].map(|i| encode(decode(one[i]) + share * (decode(other[i]) - decode(one[i]))))
 }
 
-/// The amount of light, 0 to 1, that a stored value stands for: its square, close to what screens
-/// show, and unlike a power of 2.2 the same on every machine.
+/// Returns the amount of light, 0 to 1, that a stored value stands for: its square, close to what
+/// screens show, and unlike a power of 2.2 the same on every machine.
 pub fn decode(value: u8) -> f64 {
     let share = f64::from(value) / 255.0;
     share * share
 }
 
-/// The value that stands for an amount of light; too much is white.
+/// Returns the value that stands for an amount of light; too much is white.
 pub fn encode(light: f64) -> u8 {
     (255.0 * light.clamp(0.0, 1.0).sqrt()).round() as u8
 }

@@ -1,4 +1,5 @@
-//! How much of the sky a visible point does not see, from the depth of its surroundings alone.
+//! Ambient occlusion: the share of the sky hidden from a visible point, from the depth of its
+//! surroundings alone.
 
 /// Directions on the screen, each looked along both ways; lengths are near 1.
 const DIRECTIONS: [[f32; 2]; 8] = [
@@ -12,17 +13,18 @@ const DIRECTIONS: [[f32; 2]; 8] = [
     [-0.924, 0.383],
 ];
 
-/// How far to look, in shares of the longer side of the image.
+/// Distances of the pixels compared, in shares of the longer side of the image.
 const STEPS: [f32; 6] = [0.0018, 0.004, 0.008, 0.015, 0.026, 0.042];
 
 /// A slope that stands for a fall without end.
 const CLIFF: f32 = -8.0;
 
-/// Hidden share of the sky for each pixel, 0 to 1, from the nearness of all pixels (in pixels; minus
-/// infinity where nothing is). O(pixels).
+/// Returns the hidden share of the sky for each pixel, 0 to 1, from the nearness of all pixels (in
+/// pixels; minus infinity where nothing is). O(pixels).
 ///
 /// Along a line on the screen the surroundings rise to one angle on one side and to another on the
-/// other; a plane, however tilted, rises on one side by what it falls on the other and hides nothing.
+/// other; a plane, however tilted, rises on one side by what it falls on the other and hides
+/// nothing.
 pub fn occlusion(near: &[f32], [width, height]: [usize; 2]) -> Vec<f32> {
     let longer = width.max(height) as f32;
     let lines = DIRECTIONS.map(|[x, y]| {
@@ -36,7 +38,7 @@ pub fn occlusion(near: &[f32], [width, height]: [usize; 2]) -> Vec<f32> {
         let (x, y) = (at % width, at / width);
         let slope = |step: &Step| {
             let to = [x.wrapping_add_signed(step.x), y.wrapping_add_signed(step.y)];
-            // Nothing is known outside the image, and nothing there hides anything.
+            // Outside the image nothing is hidden.
             let inside = to[0] < width && to[1] < height;
             let rise =
                 if inside { near[to[1] * width + to[0]] - near[at] } else { f32::NEG_INFINITY };
@@ -66,7 +68,7 @@ impl Step {
     }
 }
 
-/// Sine of the angle of a slope.
+/// Returns the sine of the angle of a slope.
 fn sine(slope: f32) -> f32 {
     slope / (1.0 + slope * slope).sqrt()
 }

@@ -15,9 +15,9 @@ struct Bin {
     sum: [u64; 3],
 }
 
-/// Colours that stand for those of an image, and for each pixel which, by median cut (Heckbert, *Color
-/// image quantization for frame buffer display*, 1982). The opacity of pixels is not looked at.
-/// O(pixels).
+/// Colours that stand for those of an image, and for each pixel which, by median cut (Heckbert,
+/// *Color image quantization for frame buffer display*, 1982). The opacity of pixels is not looked
+/// at. O(pixels).
 pub fn reduce(pixels: &[[u8; 4]]) -> (Vec<[u8; 3]>, Vec<u8>) {
     let mut bins = count(pixels);
     let boxes = cut(&mut bins);
@@ -43,7 +43,7 @@ fn index(place: [u8; 3]) -> usize {
     place.into_iter().fold(0, |index, value| index << BITS | usize::from(value))
 }
 
-/// The bins that have a pixel.
+/// Returns the bins that have a pixel.
 fn count(pixels: &[[u8; 4]]) -> Vec<Bin> {
     let mut bins = vec![Bin::default(); 1 << (3 * BITS)];
     for &pixel in pixels {
@@ -86,7 +86,7 @@ fn weight(bins: &[Bin]) -> (u64, usize) {
     (bins.iter().map(|bin| bin.pixels).sum::<u64>() * u64::from(side(longest)), longest)
 }
 
-/// How many of the bins, of which there are two at least, make half of the pixels.
+/// Returns the number of bins, of two or more, that make half of the pixels.
 fn median(bins: &[Bin]) -> usize {
     let half = bins.iter().map(|bin| bin.pixels).sum::<u64>() / 2;
     let mut before = 0;

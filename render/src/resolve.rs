@@ -8,7 +8,7 @@ use super::occlusion::occlusion;
 /// Ink of the edges goes from 0 to this, that of highlighted edges on from there to twice as much.
 pub const FULL_INK: u8 = 127;
 
-/// What the samples do not say.
+/// Settings that turn samples into pixels.
 #[derive(Debug)]
 pub struct Finish {
     /// Samples along each side of a pixel.
@@ -67,7 +67,7 @@ impl Finish {
         [colour[0], colour[1], colour[2], (255.0 * opacity / all).round() as u8]
     }
 
-    /// Colour and opacity of a stored strength.
+    /// Returns colour and opacity of a stored strength.
     fn ink(&self, strength: u8) -> ([u8; 3], f64) {
         let highlight = strength > FULL_INK;
         let above = if highlight { strength - FULL_INK } else { strength };
@@ -75,7 +75,7 @@ impl Finish {
     }
 }
 
-/// The samples of a pixel.
+/// Iterates over the samples of a pixel.
 fn square(width: usize, [x, y]: [usize; 2], samples: usize) -> impl Iterator<Item = usize> {
     let first = y * samples * width + x * samples;
     (0..samples).flat_map(move |row| {
@@ -84,7 +84,8 @@ fn square(width: usize, [x, y]: [usize; 2], samples: usize) -> impl Iterator<Ite
     })
 }
 
-/// Mean nearness of the faces seen in each pixel, in pixels; minus infinity where there is none.
+/// Returns the mean nearness of the faces seen in each pixel, in pixels; minus infinity where there
+/// is none.
 fn pixel_nearness(canvas: &Canvas, samples: usize) -> Vec<f32> {
     let (width, height) = (canvas.width / samples, canvas.height / samples);
     let mean = |at: usize| {

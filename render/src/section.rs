@@ -1,7 +1,8 @@
 //! A plane that takes away a part of the mesh, so that one sees inside.
 
+use super::camera::Projection;
+use super::error::PictureError;
 use super::vector::{Vector, between, dot, unit};
-use super::{PictureError, Projection};
 
 /// Takes away everything on the side of a plane to which its normal points, cutting faces exactly.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +21,7 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// The section as `projection` shows it.
+    /// Turns the section to view coordinates as `projection` shows it.
     pub fn new(section: &Section, projection: &Projection) -> Result<Self, PictureError> {
         let normal = unit(section.normal).ok_or(PictureError::Section)?;
         let (normal, point) = (projection.turn(normal), projection.view(section.point));
@@ -28,17 +29,17 @@ impl Cut {
         if offset.is_finite() { Ok(Self { normal, offset }) } else { Err(PictureError::Section) }
     }
 
-    /// How far a point is on the side that is taken away.
+    /// Returns the distance of a point on the side that is taken away; negative on the other.
     fn beyond(&self, point: Vector) -> f64 {
         dot(self.normal, point) - self.offset
     }
 
-    /// Whether nothing of a triangle is taken away.
+    /// Returns whether nothing of a triangle is taken away.
     pub fn keeps(&self, triangle: &[Vector; 3]) -> bool {
         triangle.iter().all(|&point| self.beyond(point) <= 0.0)
     }
 
-    /// Gives the corners of what is left of a convex polygon, in order.
+    /// Passes the corners of the rest of a convex polygon to `keep`, in order.
     pub fn clip(&self, polygon: &[Vector], mut keep: impl FnMut(Vector)) {
         for (i, &from) in polygon.iter().enumerate() {
             let to = polygon[if i + 1 == polygon.len() { 0 } else { i + 1 }];
@@ -52,7 +53,7 @@ impl Cut {
         }
     }
 
-    /// What is left of a segment.
+    /// Returns the rest of a segment.
     pub fn clip_segment(&self, [from, to]: [Vector; 2]) -> Option<[Vector; 2]> {
         match [from, to].map(|point| self.beyond(point) <= 0.0) {
             [true, true] => Some([from, to]),
@@ -62,8 +63,8 @@ impl Cut {
         }
     }
 
-    /// Where a segment crosses the plane; the same point to the last bit in both directions, so that
-    /// the faces on both sides of an edge still meet.
+    /// Returns the point where a segment crosses the plane, the same point to the last bit in both
+    /// directions, so that the faces on both sides of an edge still meet.
     fn crossing(&self, from: Vector, to: Vector) -> Vector {
         let (kept, lost) = if self.beyond(from) <= 0.0 { (from, to) } else { (to, from) };
         let (here, there) = (self.beyond(kept), self.beyond(lost));

@@ -35,7 +35,7 @@ fn plain(mesh: &Mesh, direction: [f64; 3]) -> Picture<'_> {
         background: None,
         lines: Lines { edges: false, ..Lines::default() },
         depth_shade: 0.0,
-        ..Picture::of(mesh.view())
+        ..Picture::new(mesh.view())
     }
 }
 
@@ -264,7 +264,7 @@ fn equal_pictures_are_equal_bytes_and_read_back() {
     let mesh = face_list(grids::torus(40, 20));
     let draw = || {
         let background = None;
-        let picture = Picture { width: 150, height: 100, background, ..Picture::of(mesh.view()) };
+        let picture = Picture { width: 150, height: 100, background, ..Picture::new(mesh.view()) };
         let image = picture.draw().unwrap();
         let mut bytes = Vec::new();
         image.write_png(&mut bytes).unwrap();
@@ -353,7 +353,7 @@ proptest! {
             camera,
             highlights: &[[0, 5]],
             section: section.map(|(point, normal)| Section { point, normal }),
-            ..Picture::of(mesh.view())
+            ..Picture::new(mesh.view())
         };
         let once = picture.draw();
         prop_assert_eq!(once, picture.draw());

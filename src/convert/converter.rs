@@ -60,7 +60,7 @@ impl<'a> Converter<'a> {
     /// Makes a converter with the default algorithm and augmentation and seed 0.
     pub fn new() -> Self {
         Self {
-            algorithm: Algorithm::Triquad,
+            algorithm: Algorithm::EagerRescue,
             augmentation: Augmentation::Local,
             seed: 0,
             orient: false,

@@ -2,7 +2,7 @@
 
 use crate::mesh::MAX_CORNERS;
 use crate::prefetch::prefetch;
-use crate::triangulation::{Id, Side, TriangleId, Triangulation};
+use crate::triangulation::{Side, TriangleId, Triangulation};
 
 /// For each triangle its three neighbours, or none across a boundary. 12 bytes a triangle.
 ///

@@ -2,7 +2,7 @@
 
 use super::DualGraph;
 use crate::prefetch::prefetch;
-use crate::triangulation::{Id, IdVec, TriangleId};
+use crate::triangulation::{IdVec, TriangleId};
 
 /// A matching in a dual graph: disjoint pairs of edge-adjacent triangles. 4 bytes a triangle.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,8 +1,8 @@
-//! Euler-tour trees: forests that are cut and joined, and asked about whole trees.
+//! Euler-tour trees: forests that are cut and joined, with queries of whole trees.
 //!
-//! Henzinger and King, *Randomized fully dynamic graph algorithms* (1999), with splay trees. A tree is
-//! kept as the closed walk round it, which passes every edge twice, once each way, and every vertex
-//! once by a node of its own:
+//! Henzinger and King, *Randomized fully dynamic graph algorithms* (1999), with splay trees. A tree
+//! is kept as the closed walk round it, which passes every edge twice, once each way, and every
+//! vertex once by a node of its own:
 //!
 //! ```text
 //!     b   d
@@ -10,14 +10,15 @@
 //!     a---c
 //! ```
 //!
-//! The walk may start at any of its nodes. Joining or removing an edge cuts and pastes such sequences.
+//! The walk may start at any of its nodes. Joining or removing an edge cuts and pastes such
+//! sequences.
 
-use super::NONE;
+use super::none::NONE;
 
 /// Two marks that nodes can carry; they are independent of each other, and named after their use in
 /// [`DynamicConnectivity`](super::DynamicConnectivity).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Mark {
+pub enum NodeMark {
     /// There, on ways: the edge's level is that of the tour.
     Tree = 1,
     /// There, on vertices: non-tree edges of the tour's level hang on it.
@@ -29,7 +30,7 @@ const MARKS: u32 = 2;
 const MARK_MASK: u32 = (1 << MARKS) - 1;
 
 #[derive(Clone, Copy)]
-struct Node {
+struct TourNode {
     parent: u32,
     /// In the order of the walk.
     child: [u32; 2],
@@ -60,7 +61,7 @@ struct Node {
 /// ```
 #[derive(Clone)]
 pub struct EulerTourForest {
-    nodes: Vec<Node>,
+    nodes: Vec<TourNode>,
     /// First of the unused nodes, which are linked by `parent`.
     unused: u32,
 }
@@ -72,18 +73,19 @@ impl Default for EulerTourForest {
 }
 
 impl EulerTourForest {
-    /// The empty forest, with room for so many nodes; a tree of n vertices has 3n − 2 nodes.
+    /// Makes the empty forest, with room for so many nodes; a tree of n vertices has 3n − 2
+    /// nodes.
     pub fn with_capacity(nodes: usize) -> Self {
         Self { nodes: Vec::with_capacity(nodes), unused: NONE }
     }
 
-    /// All names of nodes are below this.
+    /// Returns the bound of the names of nodes.
     pub fn name_bound(&self) -> usize {
         self.nodes.len()
     }
 
-    /// A new tree of one vertex. The first vertices are named 0, 1, 2 … until anything else has been
-    /// done. O(1).
+    /// Adds a tree of one vertex. The first vertices are named 0, 1, 2 … until anything else has
+    /// been done. O(1).
     ///
     /// # Panics
     /// In debug builds, if `label` is not below 2^30.
@@ -102,32 +104,32 @@ impl EulerTourForest {
         self.discard(vertex);
     }
 
-    /// Whether the vertex has no edges. O(1).
+    /// Returns whether the vertex has no edges. O(1).
     pub fn is_alone(&self, vertex: u32) -> bool {
-        let Node { parent, child, .. } = self.nodes[vertex as usize];
+        let TourNode { parent, child, .. } = self.nodes[vertex as usize];
         parent == NONE && child == [NONE; 2]
     }
 
-    /// The label of a node. O(1).
+    /// Returns the label of a node. O(1).
     pub fn label(&self, node: u32) -> u32 {
         self.nodes[node as usize].label >> MARKS
     }
 
-    /// Whether both nodes are in one tree.
+    /// Returns whether both nodes are in one tree.
     pub fn connected(&mut self, a: u32, b: u32) -> bool {
         self.splay(a);
         self.splay(b);
         a == b || self.nodes[a as usize].parent != NONE
     }
 
-    /// Number of vertices of the tree of `node`.
+    /// Returns the number of vertices of the tree of `node`.
     pub fn vertex_count(&mut self, node: u32) -> u32 {
         self.splay(node);
         self.nodes[node as usize].total >> MARKS
     }
 
-    /// Joins two trees by an edge between the vertices `a` and `b`. Returns the node of the way from
-    /// `a` to `b`, by which the edge is cut again; both ways get the label.
+    /// Joins two trees by an edge between the vertices `a` and `b`. Returns the node of the way
+    /// from `a` to `b`, by which the edge is cut again; both ways get the label.
     ///
     /// # Panics
     /// In debug builds, if `a` and `b` are in one tree, or `label` is not below 2^30.
@@ -166,54 +168,63 @@ impl EulerTourForest {
     }
 
     /// Sets or clears a mark of `node`.
-    pub fn set_mark(&mut self, node: u32, mark: Mark, on: bool) {
+    pub fn set_mark(&mut self, node: u32, mark: NodeMark, on: bool) {
         self.splay(node);
         let label = &mut self.nodes[node as usize].label;
         *label = *label & !(mark as u32) | if on { mark as u32 } else { 0 };
         self.update(node);
     }
 
-    /// Whether `node` itself has the mark. O(1).
-    pub fn has_mark(&self, node: u32, mark: Mark) -> bool {
+    /// Returns whether `node` itself has the mark. O(1).
+    pub fn has_mark(&self, node: u32, mark: NodeMark) -> bool {
         self.nodes[node as usize].label & mark as u32 != 0
     }
 
-    /// The first node with this mark in the tree of `node`, if there is one; where a walk begins is up to
-    /// the forest.
-    pub fn first_marked(&mut self, node: u32, mark: Mark) -> Option<u32> {
+    /// Returns the first node with this mark in the tree of `node`, if there is one; where a walk
+    /// begins is up to the forest.
+    pub fn first_marked(&mut self, node: u32, mark: NodeMark) -> Option<u32> {
         self.splay(node);
         self.first_marked_below(node, mark)
     }
 
-    /// The next node with this mark after `node` in the same walk, until the forest is changed.
-    pub fn next_marked(&mut self, node: u32, mark: Mark) -> Option<u32> {
+    /// Returns the next node with this mark after `node` in the same walk, until the forest is
+    /// changed.
+    pub fn next_marked(&mut self, node: u32, mark: NodeMark) -> Option<u32> {
         self.splay(node);
         self.first_marked_below(self.nodes[node as usize].child[1], mark)
     }
 
-    /// The first node with this mark in the subtree of a node or none, near the root of the splay tree.
-    fn first_marked_below(&mut self, mut at: u32, mark: Mark) -> Option<u32> {
+    /// Returns the first node with this mark in the subtree of a node or none, near the root of the
+    /// splay tree.
+    fn first_marked_below(&mut self, mut at: u32, mark: NodeMark) -> Option<u32> {
         let has = |at: u32| at != NONE && self.nodes[at as usize].total & mark as u32 != 0;
         if !has(at) {
             return None;
         }
         loop {
             let [left, right] = self.nodes[at as usize].child;
-            at = match has(left) {
-                true => left,
-                false if self.has_mark(at, mark) => break,
-                false => right,
-            };
+            if has(left) {
+                at = left;
+            } else if self.has_mark(at, mark) {
+                break;
+            } else {
+                at = right;
+            }
         }
         self.splay(at);
         Some(at)
     }
 
-    /// A node of no tree.
+    /// Makes a node of no tree.
     fn add(&mut self, label: u32) -> u32 {
         debug_assert!(label <= u32::MAX >> MARKS);
-        let node =
-            Node { parent: NONE, child: [NONE; 2], total: 0, label: label << MARKS, twin: NONE };
+        let node = TourNode {
+            parent: NONE,
+            child: [NONE; 2],
+            total: 0,
+            label: label << MARKS,
+            twin: NONE,
+        };
         if self.unused == NONE {
             self.nodes.push(node);
             return self.nodes.len() as u32 - 1;
@@ -270,21 +281,21 @@ impl EulerTourForest {
         self.update(parent);
     }
 
-    /// What the node itself adds to the total of a subtree.
+    /// Returns the node's own part of the total of a subtree.
     #[inline]
-    fn own_total(node: &Node) -> u32 {
+    fn own_total(node: &TourNode) -> u32 {
         (u32::from(node.twin == NONE) << MARKS) | node.label & MARK_MASK
     }
 
-    /// The total of the subtree of a node or none.
+    /// Returns the total of the subtree of a node or none.
     #[inline]
     fn total(&self, node: u32) -> u32 {
         self.nodes.get(node as usize).map_or(0, |node| node.total)
     }
 
-    /// The total of a node over subtrees with these totals.
+    /// Returns the total of a node over subtrees with these totals.
     #[inline]
-    fn sum(node: &Node, below: [u32; 2]) -> u32 {
+    fn sum(node: &TourNode, below: [u32; 2]) -> u32 {
         let [a, b] = below;
         let own = Self::own_total(node);
         let count = (a & !MARK_MASK) + (b & !MARK_MASK) + (own & !MARK_MASK);
@@ -327,8 +338,8 @@ impl EulerTourForest {
         self.nodes[parent as usize] = up;
     }
 
-    /// Moves `v` above its parent and grandparent. Only their totals are computed: `v` gets that of the
-    /// whole, which stays the same.
+    /// Moves `v` above its parent and grandparent. Only their totals are computed: `v` gets that of
+    /// the whole, which stays the same.
     #[inline]
     fn double_step(&mut self, v: u32, parent: u32, grandparent: u32) {
         let mut here = self.nodes[v as usize];

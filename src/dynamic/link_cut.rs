@@ -1,8 +1,8 @@
-//! Link-cut trees: forests that are cut and joined, and asked about paths.
+//! Link-cut trees: forests that are cut and joined, with queries of paths.
 //!
 //! Sleator and Tarjan, *A data structure for dynamic trees* (1983), in the form of *Self-adjusting
-//! binary search trees* (1985). Every tree of the forest is partitioned into vertical paths. A path is
-//! a splay tree ordered by depth, whose root remembers the parent of the path's topmost node:
+//! binary search trees* (1985). Every tree of the forest is partitioned into vertical paths. A path
+//! is a splay tree ordered by depth, whose root remembers the parent of the path's topmost node:
 //!
 //! ```text
 //!        a              a                       access(e):  the path from the root down to e
@@ -12,16 +12,16 @@
 //!    d   e          d   e
 //! ```
 
-use super::NONE;
+use super::none::NONE;
 
-/// The children of the subtree have changed sides, but those below do not know yet.
+/// The children of the subtree have changed sides; this is still to be handed down.
 const REVERSED: u32 = 1 << 31;
-/// All nodes of the subtree have this node's value, but those below do not know yet.
+/// All nodes of the subtree have this node's value; this is still to be handed down.
 const SPREAD: u32 = 1 << 30;
 const VALUE: u32 = SPREAD - 1;
 
 #[derive(Clone, Copy)]
-struct Node {
+struct PathNode {
     /// In the splay tree; of its root, the tree parent of the topmost node of the path.
     parent: u32,
     /// Left are the nodes nearer to the root of the tree.
@@ -48,14 +48,14 @@ struct Node {
 /// ```
 #[derive(Clone)]
 pub struct LinkCutForest {
-    nodes: Vec<Node>,
+    nodes: Vec<PathNode>,
 }
 
 impl LinkCutForest {
     /// The greatest value a node can have.
     pub const MAX_VALUE: u32 = VALUE;
 
-    /// `n` trees of one node each, of value 0. O(n).
+    /// Makes `n` trees of one node each, of value 0. O(n).
     ///
     /// # Panics
     /// If `n` exceeds 2^32 - 1.
@@ -63,8 +63,8 @@ impl LinkCutForest {
         Self::from_parents(n, |_| None)
     }
 
-    /// The forest in which `parent(v)` is the parent of node `v`, or none if `v` is a root; all values
-    /// are 0. O(n).
+    /// Makes the forest in which `parent(v)` is the parent of node `v`, or none if `v` is a root;
+    /// all values are 0. O(n).
     ///
     /// The parents must not run in circles; that is not checked.
     ///
@@ -72,11 +72,11 @@ impl LinkCutForest {
     /// If `n` exceeds 2^32 - 1.
     pub fn from_parents(n: usize, parent: impl Fn(u32) -> Option<u32>) -> Self {
         assert!(n <= NONE as usize, "more than 2^32 - 1 nodes");
-        let node = |v| Node { parent: parent(v).unwrap_or(NONE), child: [NONE; 2], tag: 0 };
+        let node = |v| PathNode { parent: parent(v).unwrap_or(NONE), child: [NONE; 2], tag: 0 };
         Self { nodes: (0..n as u32).map(node).collect() }
     }
 
-    /// The value of node `v`.
+    /// Returns the value of node `v`.
     pub fn value(&mut self, v: u32) -> u32 {
         self.splay(v);
         self.nodes[v as usize].tag & VALUE
@@ -92,20 +92,20 @@ impl LinkCutForest {
         self.nodes[v as usize].tag = value;
     }
 
-    /// Whether `a` and `b` are in one tree.
+    /// Returns whether `a` and `b` are in one tree.
     pub fn connected(&mut self, a: u32, b: u32) -> bool {
         self.access(a);
         self.access(b);
         self.was_reached(a, b)
     }
 
-    /// After access to `a` and then to `b`: whether they are in one tree. The former has no parent
-    /// left unless the latter access passed it.
+    /// Returns, after access to `a` and then to `b`, whether they are in one tree. The former has
+    /// no parent left unless the latter access passed it.
     fn was_reached(&self, a: u32, b: u32) -> bool {
         a == b || self.nodes[a as usize].parent != NONE
     }
 
-    /// The lowest common ancestor of `a` and `b`.
+    /// Returns the lowest common ancestor of `a` and `b`.
     ///
     /// # Panics
     /// In debug builds, if `a` and `b` are in different trees.
@@ -133,8 +133,8 @@ impl LinkCutForest {
         self.nodes[child as usize].parent = parent;
     }
 
-    /// Joins the trees of `a` and `b` by the edges `a`-`middle`-`b`, where `middle` is a tree of its
-    /// own; one access less than two links.
+    /// Joins the trees of `a` and `b` by the edges `a`-`middle`-`b`, where `middle` is a tree of
+    /// its own; one access less than two links.
     ///
     /// # Panics
     /// In debug builds, if `middle` is not alone or `a` and `b` are in one tree already.
@@ -160,8 +160,8 @@ impl LinkCutForest {
         assert!(edge, "{a} and {b} are not adjacent");
     }
 
-    /// Cuts `v` from its parent: `v` becomes the root of a tree of its own. Returns some node of the
-    /// path from the parent to the old root, or `None` if `v` was a root.
+    /// Cuts `v` from its parent: `v` becomes the root of a tree of its own. Returns some node of
+    /// the path from the parent to the old root, or `None` if `v` was a root.
     pub fn cut_above(&mut self, v: u32) -> Option<u32> {
         self.access(v);
         let above = std::mem::replace(&mut self.nodes[v as usize].child[0], NONE);
@@ -172,16 +172,17 @@ impl LinkCutForest {
         Some(above)
     }
 
-    /// Takes whole trees apart: every one of `nodes`, which must be all nodes of some trees, is alone
-    /// afterwards, its value 0. O(1) each.
+    /// Takes whole trees apart: every one of `nodes`, which must be all nodes of some trees, is
+    /// alone afterwards, its value 0. O(1) each.
     ///
-    /// If a node is missing, the forest is broken; that is checked in debug builds, as far as it shows.
+    /// If a node is missing, the forest is broken; that is checked in debug builds, as far as it
+    /// shows.
     pub fn dissolve(&mut self, nodes: &[u32]) {
         for &v in nodes {
-            let Node { parent, child, .. } = self.nodes[v as usize];
+            let PathNode { parent, child, .. } = self.nodes[v as usize];
             let known = |other: u32| other == NONE || nodes.contains(&other);
             debug_assert!([parent, child[0], child[1]].into_iter().all(known));
-            self.nodes[v as usize] = Node { parent: NONE, child: [NONE; 2], tag: 0 };
+            self.nodes[v as usize] = PathNode { parent: NONE, child: [NONE; 2], tag: 0 };
         }
     }
 
@@ -208,8 +209,8 @@ impl LinkCutForest {
     }
 
     /// Makes the path from the root to `v` one splay tree with root `v`, which has no right child
-    /// then. Returns the last node at which a path was joined: the lowest common ancestor of `v` and
-    /// of the node accessed before, if that is in the same tree.
+    /// then. Returns the last node at which a path was joined: the lowest common ancestor of `v`
+    /// and of the node accessed before, if that is in the same tree.
     fn access(&mut self, v: u32) -> u32 {
         let (mut below, mut at) = (NONE, v);
         loop {
@@ -240,7 +241,7 @@ impl LinkCutForest {
         }
     }
 
-    /// The same for a node with a `parent` in its splay tree.
+    /// Splays a node with a `parent` in its splay tree.
     fn splay_below(&mut self, v: u32, parent: u32) {
         let mut next = Some(parent);
         while let Some(parent) = next {
@@ -252,7 +253,7 @@ impl LinkCutForest {
         }
     }
 
-    /// The parent of `v` in its splay tree.
+    /// Returns the parent of `v` in its splay tree.
     #[inline]
     fn parent_in_path(&self, v: u32) -> Option<u32> {
         let parent = self.nodes[v as usize].parent;
@@ -339,7 +340,7 @@ impl LinkCutForest {
     /// Hands what is pending at `v` on to its children.
     #[inline]
     fn push(&mut self, v: u32) {
-        let Node { child, tag, .. } = self.nodes[v as usize];
+        let PathNode { child, tag, .. } = self.nodes[v as usize];
         if tag <= VALUE {
             return;
         }

@@ -3,18 +3,18 @@
 //! All edges in random order, each tested against the link condition and contracted if it passes;
 //! those that fail are gone through again, until none has been contracted.
 
-use super::{Counts, Reduction};
+use super::contracted::{Contracted, Counts};
 use crate::random::Random;
-use crate::triangulation::{HalfEdgeId, Id, IdVec, LinkMarks, ShrinkingTriangulation, VertexSplit};
+use crate::triangulation::{HalfEdgeId, IdVec, LinkMarks, ShrinkingTriangulation, VertexSplit};
 
 /// Contracts edges of `triangulation` until none can be, by brute force. The end of less degree is
 /// merged into the other.
 ///
 /// Each test of [u, v] takes O(deg u + deg v) time, and there may be Ω(n²) of them. 30 bytes a
 /// triangle beside `triangulation`.
-pub fn brute_force(triangulation: ShrinkingTriangulation, random: &mut Random) -> Reduction {
-    let mut edges = Edges::of(&triangulation);
-    let mut run = Run {
+pub fn brute_force(triangulation: ShrinkingTriangulation, random: &mut Random) -> Contracted {
+    let mut edges = StableEdges::new(&triangulation);
+    let mut run = BruteForce {
         marks: LinkMarks::new(triangulation.vertex_id_count()),
         splits: Vec::with_capacity(triangulation.vertex_count()),
         counts: Counts::default(),
@@ -29,11 +29,11 @@ pub fn brute_force(triangulation: ShrinkingTriangulation, random: &mut Random) -
             break;
         }
     }
-    Reduction { triangulation: run.k, splits: run.splits, counts: run.counts }
+    Contracted { triangulation: run.k, splits: run.splits, counts: run.counts }
 }
 
-/// Edges under ids that stay the same while half-edges come and go.
-struct Edges {
+/// StableEdges with ids that stay the same while half-edges come and go.
+struct StableEdges {
     /// One of the two half-edges of each edge; none for edges that are gone.
     side: Vec<HalfEdgeId>,
     /// How often each edge has been tested: 0, 1, or 2 for more.
@@ -42,8 +42,8 @@ struct Edges {
     of: IdVec<HalfEdgeId, u32>,
 }
 
-impl Edges {
-    fn of(k: &ShrinkingTriangulation) -> Self {
+impl StableEdges {
+    fn new(k: &ShrinkingTriangulation) -> Self {
         let half_edges = k.half_edge_id_count();
         let mut of = IdVec::filled(0, half_edges);
         let mut side = Vec::with_capacity(half_edges / 2);
@@ -59,8 +59,8 @@ impl Edges {
         self.side[edge as usize] != HalfEdgeId::NONE
     }
 
-    /// Follows the contraction of the edge of `h` from u to v in `k`, about to be done: [u, v],
-    /// [v, x] and [v, y] go, [u, x] and [u, y] take over the outer half-edges.
+    /// Records the contraction of the edge of `h` from u to v in `k`, which is about to be made.
+    /// [u, v], [v, x] and [v, y] go; [u, x] and [u, y] take over the outer half-edges.
     fn contract(&mut self, k: &ShrinkingTriangulation, h: HalfEdgeId) {
         let hp = k.twin(h);
         for (kept, gone) in [(h.prev(), h.next()), (hp.next(), hp.prev())] {
@@ -73,16 +73,16 @@ impl Edges {
     }
 }
 
-struct Run {
+struct BruteForce {
     k: ShrinkingTriangulation,
     marks: LinkMarks,
     splits: Vec<VertexSplit>,
     counts: Counts,
 }
 
-impl Run {
-    /// Tests `edge` and contracts it if it passes; whether it did.
-    fn try_to_contract(&mut self, edges: &mut Edges, edge: u32) -> bool {
+impl BruteForce {
+    /// Tests `edge` and contracts it if it passes. Returns whether it did.
+    fn try_to_contract(&mut self, edges: &mut StableEdges, edge: u32) -> bool {
         let side = edges.side[edge as usize];
         let tests = &mut edges.tests[edge as usize];
         self.counts.link_condition_tests += 1;

@@ -1,15 +1,16 @@
-//! Whether a result is an irreducible triangulation: from its triangles alone.
+//! Checks of results, from their triangles alone.
 
 use crate::mesh::Mesh;
-use crate::triangulation::{Id, Survey, Triangulation, VertexId};
+use crate::triangulation::{Survey, Triangulation, VertexId};
 
-/// Why a result is none.
+/// Why a result is no irreducible triangulation.
 #[derive(Clone, Debug, thiserror::Error)]
-pub enum NotIrreducible {
-    /// It breaks a law.
+#[non_exhaustive]
+pub enum IrreducibleError {
+    /// The result breaks a law.
     #[error("what is left is no triangulation: {0}")]
     Broken(Box<Survey>),
-    /// It is one of another surface.
+    /// The result triangulates another surface.
     #[error("what is left has {components} components of genus {genus} in all")]
     OtherSurface {
         /// Connected components.
@@ -18,7 +19,10 @@ pub enum NotIrreducible {
         genus: usize,
     },
     /// An edge could still be contracted.
-    #[error("the edge from vertex {} to vertex {} of what is left could still be contracted", .0[0], .0[1])]
+    #[error(
+        "the edge from vertex {} to vertex {} of what is left could still be contracted",
+        .0[0], .0[1]
+    )]
     Contractible([usize; 2]),
 }
 
@@ -26,7 +30,7 @@ pub enum NotIrreducible {
 /// what it was made from. Shares nothing with the algorithms but the laws.
 ///
 /// # Errors
-/// It is not, and why; vertices count from 1.
+/// The first defect found; vertices count from 1.
 ///
 /// # Cost
 /// O(d d') for an edge whose ends have d and d' neighbours: what is left is small.
@@ -34,20 +38,20 @@ pub fn check_irreducible(
     list: &Mesh,
     components: usize,
     genus: usize,
-) -> Result<(), NotIrreducible> {
-    let left = Triangulation::build(list).map_err(NotIrreducible::Broken)?;
+) -> Result<(), IrreducibleError> {
+    let left = Triangulation::build(list).map_err(IrreducibleError::Broken)?;
     if (left.component_count(), left.genus()) != (components, genus) {
         let (components, genus) = (left.component_count(), left.genus());
-        return Err(NotIrreducible::OtherSurface { components, genus });
+        return Err(IrreducibleError::OtherSurface { components, genus });
     }
     match contractible_edge(&left) {
-        Some(ends) => Err(NotIrreducible::Contractible(ends.map(|v| v.index() + 1))),
+        Some(ends) => Err(IrreducibleError::Contractible(ends.map(|v| v.index() + 1))),
         None => Ok(()),
     }
 }
 
-/// An edge whose ends have no common neighbours but its two apexes and are not in a tetrahedron
-/// (Proposition 3.1 of Lemos et al.).
+/// Returns an edge whose ends have no common neighbours but its two apexes and are not in a
+/// tetrahedron (Proposition 3.1 of Lemos et al.).
 fn contractible_edge(t: &Triangulation) -> Option<[VertexId; 2]> {
     let mut neighbours: Vec<Vec<VertexId>> = vec![Vec::new(); t.vertex_id_count()];
     for f in t.triangles() {
@@ -74,7 +78,7 @@ mod tests {
     use super::*;
     use triquad_generators::{Surface, classic};
 
-    fn verdict(surface: &Surface, genus: usize) -> Result<(), NotIrreducible> {
+    fn verdict(surface: &Surface, genus: usize) -> Result<(), IrreducibleError> {
         let list = Mesh::from_triangles(surface.positions.clone(), surface.triangles.clone());
         check_irreducible(&list, 1, genus)
     }
@@ -83,13 +87,16 @@ mod tests {
     fn the_smallest_are_irreducible_and_others_are_not() {
         assert!(verdict(&classic::tetrahedron(), 0).is_ok());
         assert!(verdict(&classic::seven_vertex_torus(), 1).is_ok());
-        assert!(matches!(verdict(&classic::octahedron(), 0), Err(NotIrreducible::Contractible(_))));
+        assert!(matches!(
+            verdict(&classic::octahedron(), 0),
+            Err(IrreducibleError::Contractible(_))
+        ));
         assert!(matches!(
             verdict(&classic::tetrahedron(), 1),
-            Err(NotIrreducible::OtherSurface { components: 1, genus: 0 })
+            Err(IrreducibleError::OtherSurface { components: 1, genus: 0 })
         ));
         let mut open = classic::tetrahedron();
         open.triangles.pop();
-        assert!(matches!(verdict(&open, 0), Err(NotIrreducible::Broken(_))));
+        assert!(matches!(verdict(&open, 0), Err(IrreducibleError::Broken(_))));
     }
 }

@@ -2,11 +2,12 @@
 
 use crate::triangulation::{IdVec, VertexId};
 
-/// Vertices ordered by degree, and by id where degrees are equal: a binary heap in an array that
-/// knows where in it each vertex is. O(log n) an operation; 12 bytes a vertex.
+/// Vertices ordered by degree, and by id where degrees are equal: a binary heap in an array, with
+/// the place of each vertex in it. O(log n) an operation; 12 bytes a vertex.
 #[derive(Debug)]
 pub(super) struct DegreeQueue {
-    /// Degree and id, in heap order: no entry is less than its parent, that of `i` at `(i - 1) / 2`.
+    /// Degree and id, in heap order: no entry is less than its parent, that of `i` at `(i - 1) /
+    /// 2`.
     heap: Vec<(u32, VertexId)>,
     /// Where each vertex is in the heap, or [`ABSENT`].
     place: IdVec<VertexId, u32>,
@@ -15,7 +16,7 @@ pub(super) struct DegreeQueue {
 const ABSENT: u32 = u32::MAX;
 
 impl DegreeQueue {
-    /// A queue of `entries`, pairs of degree and id, where ids are below `vertices`. O(n).
+    /// Makes a queue of `entries`, pairs of degree and id, where ids are below `vertices`. O(n).
     pub(super) fn new(entries: Vec<(u32, VertexId)>, vertices: usize) -> Self {
         let mut queue = Self { heap: entries, place: IdVec::filled(ABSENT, vertices) };
         for i in 0..queue.heap.len() {
@@ -27,12 +28,12 @@ impl DegreeQueue {
         queue
     }
 
-    /// A vertex of least degree.
+    /// Returns a vertex of least degree.
     pub(super) fn first(&self) -> Option<VertexId> {
         self.heap.first().map(|&(_, v)| v)
     }
 
-    /// Takes `v` out, which must be in.
+    /// Removes `v`, which must be in the queue.
     pub(super) fn remove(&mut self, v: VertexId) {
         let i = self.place[v] as usize;
         self.place[v] = ABSENT;
@@ -43,7 +44,7 @@ impl DegreeQueue {
         }
     }
 
-    /// Gives `v` another degree, if it is in.
+    /// Changes the degree of `v`, if it is in the queue.
     pub(super) fn update(&mut self, v: VertexId, degree: u32) {
         let i = self.place[v];
         if i != ABSENT {
@@ -52,7 +53,7 @@ impl DegreeQueue {
         }
     }
 
-    /// Moves entry `i` to where it belongs.
+    /// Moves entry `i` up or down to its place.
     fn restore(&mut self, i: usize) {
         if i > 0 && self.heap[i] < self.heap[(i - 1) / 2] {
             self.rise(i);
@@ -96,7 +97,6 @@ mod tests {
 
     use super::*;
     use crate::random::Random;
-    use crate::triangulation::Id;
 
     #[test]
     fn it_agrees_with_an_ordered_set() {

@@ -2,9 +2,18 @@
 
 use std::ops::{Index, IndexMut};
 
-use super::Discipline;
 use crate::prefetch::prefetch;
-use crate::triangulation::{Id, IdVec, VertexId};
+use crate::triangulation::{IdVec, VertexId};
+
+/// The end of the list of untested edges at which edges that are new at u enter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Discipline {
+    /// At the rear, as published; those to vertices of degree 3 at the front.
+    #[default]
+    FirstInFirstOut,
+    /// At the front. Tests more edges, and contracts in an order that suits expansion better.
+    LastInFirstOut,
+}
 
 /// One of the two lists of edges at the vertex u that is being processed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,18 +28,18 @@ pub(super) enum List {
 /// named by v and is in one list at most. Every operation is O(1).
 ///
 /// The lists are rings through one bound each, kept behind the vertices, so that an edge can be
-/// taken out without knowing which list it is in. 8 bytes a vertex, beside the `T` because both
-/// are needed at once.
+/// removed without its list being known. 8 bytes a vertex, beside the `T` because both are needed
+/// at once.
 #[derive(Debug)]
 pub(super) struct EdgeLists<T> {
-    nodes: IdVec<VertexId, Node<T>>,
+    nodes: IdVec<VertexId, ListNode<T>>,
     vertices: usize,
 }
 
 /// Aligned so that no node of the size that occurs lies across two cache lines.
 #[derive(Clone, Copy, Debug, bytemuck::Zeroable)]
 #[repr(align(32))]
-struct Node<T> {
+struct ListNode<T> {
     links: Links,
     end: T,
 }
@@ -42,8 +51,8 @@ struct Links {
 }
 
 impl<T: Copy + bytemuck::Zeroable> EdgeLists<T> {
-    /// Two empty lists of edges to any of `vertices` vertices, with all zeros for each: memory that the
-    /// system gives as it is wanted. O(n).
+    /// Makes two empty lists of edges to any of `vertices` vertices, with a zeroed `T` for each.
+    /// O(n); the system supplies zeroed memory on first use.
     pub(super) fn new(vertices: usize) -> Self {
         let mut lists = Self { nodes: bytemuck::zeroed_vec(vertices + 2).into(), vertices };
         lists.clear(List::Untested);
@@ -51,19 +60,19 @@ impl<T: Copy + bytemuck::Zeroable> EdgeLists<T> {
         lists
     }
 
-    /// Has the cache fetch what is known of `v`.
+    /// Prefetches the entry of `v`.
     #[inline]
     pub(super) fn prefetch(&self, v: VertexId) {
         prefetch(self.nodes.as_slice(), v.index());
     }
 
-    /// Forgets all edges of `list`.
+    /// Empties `list`.
     pub(super) fn clear(&mut self, list: List) {
         let bound = self.bound(list);
         self.nodes[bound].links = Links { before: bound, after: bound };
     }
 
-    /// The first edge of `list`.
+    /// Returns the first edge of `list`.
     #[inline]
     pub(super) fn front(&self, list: List) -> Option<VertexId> {
         let bound = self.bound(list);
@@ -95,7 +104,7 @@ impl<T: Copy + bytemuck::Zeroable> EdgeLists<T> {
         self.insert(v, Links { before, after: bound });
     }
 
-    /// Puts an edge that is new at u among the untested ones, where `discipline` wants it.
+    /// Puts an edge that is new at u among the untested ones, at the end that `discipline` names.
     #[inline]
     pub(super) fn enter(&mut self, v: VertexId, degree: u32, discipline: Discipline) {
         if degree == 3 || discipline == Discipline::LastInFirstOut {
@@ -113,7 +122,7 @@ impl<T: Copy + bytemuck::Zeroable> EdgeLists<T> {
         self.nodes[after].links.before = before;
     }
 
-    /// The edges of `list` in order.
+    /// Iterates over the edges of `list` in order.
     #[cfg(test)]
     pub(super) fn iter(&self, list: List) -> impl Iterator<Item = VertexId> {
         let bound = self.bound(list);
@@ -154,7 +163,7 @@ mod tests {
     use super::*;
 
     fn content(lists: &EdgeLists<u8>, list: List) -> Vec<usize> {
-        lists.iter(list).map(Id::index).collect()
+        lists.iter(list).map(VertexId::index).collect()
     }
 
     #[test]

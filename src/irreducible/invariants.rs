@@ -6,13 +6,13 @@ use std::collections::BTreeSet;
 use proptest::prelude::*;
 use triquad_generators::Surface;
 
-use super::edge_lists::List;
-use super::ramaswami_siqueira::{Discipline, NEVER, Observer, Run};
+use super::edge_lists::{Discipline, List};
+use super::ramaswami_siqueira::{ContractionObserver, NEVER, RamaswamiSiqueira};
 use crate::mesh::Mesh;
 use crate::random::Random;
 use crate::samples::{sculpted, surfaces, triangulation};
 use crate::triangulation::{
-    HalfEdgeId, Id, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
+    HalfEdgeId, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
 };
 
 /// The graph of a small triangulation, from the origins of half-edges alone.
@@ -40,8 +40,8 @@ impl Graph {
         members(self.neighbours[v.index()])
     }
 
-    /// The vertices that make a critical cycle with edge [u, v]: they are joined to both ends, but
-    /// there is no triangle.
+    /// Iterates over the vertices that make a critical cycle with edge [u, v]: they are joined to both
+    /// ends, but there is no triangle.
     fn cycles(&self, u: VertexId, v: VertexId) -> impl Iterator<Item = VertexId> + use<> {
         let at_edge = self.triangles.iter().filter(|t| t.contains(&u) && t.contains(&v));
         let apexes = at_edge.flatten().fold(0, |set, z| set | 1 << z.index());
@@ -76,26 +76,26 @@ struct Checker {
     contractions: Cell<usize>,
 }
 
-impl Observer for Checker {
-    fn popped(&self, run: &Run<Self>, v: VertexId) {
+impl ContractionObserver for Checker {
+    fn popped(&self, run: &RamaswamiSiqueira<Self>, v: VertexId) {
         assert!(!run.lists[v].processed && run.k.outgoing(v).is_some());
         self.check_untested(run);
         self.check_tested(run);
     }
 
-    fn tested(&self, run: &Run<Self>, v: VertexId) {
+    fn tested(&self, run: &RamaswamiSiqueira<Self>, v: VertexId) {
         let edge = [run.centre.min(v), run.centre.max(v)];
         assert!(self.tested.borrow_mut().insert(edge), "{edge:?} is tested again");
     }
 
-    fn contracting(&self, run: &Run<Self>, h: HalfEdgeId) {
+    fn contracting(&self, run: &RamaswamiSiqueira<Self>, h: HalfEdgeId) {
         let (u, v) = (run.k.origin(h), run.k.destination(h));
         assert_eq!(u, run.centre);
         assert!(Graph::of(&run.k).is_contractible(u, v), "{v:?} must not go into {u:?}");
         self.contractions.set(self.contractions.get() + 1);
     }
 
-    fn settled(&self, run: &Run<Self>) {
+    fn settled(&self, run: &RamaswamiSiqueira<Self>) {
         let graph = Graph::of(&run.k);
         graph.assert_valid(self.euler_characteristic);
         self.check_neighbours(run, &graph);
@@ -104,7 +104,7 @@ impl Observer for Checker {
         self.check_counters(run, &graph);
     }
 
-    fn processed(&self, run: &Run<Self>) {
+    fn processed(&self, run: &RamaswamiSiqueira<Self>) {
         let graph = Graph::of(&run.k);
         let u = run.centre;
         let loose = graph.neighbours(u).find(|&v| graph.is_contractible(u, v));
@@ -113,8 +113,9 @@ impl Observer for Checker {
 }
 
 impl Checker {
-    /// The vertices that are known as neighbours of u are its neighbours, and known by their spokes.
-    fn check_neighbours(&self, run: &Run<Self>, graph: &Graph) {
+    /// Checks that the vertices known as neighbours of u are its neighbours, and known by
+    /// their spokes.
+    fn check_neighbours(&self, run: &RamaswamiSiqueira<Self>, graph: &Graph) {
         for v in (0..run.k.vertex_id_count())
             .map(VertexId::new)
             .filter(|&v| run.k.outgoing(v).is_some() && v != run.centre)
@@ -129,8 +130,8 @@ impl Checker {
         }
     }
 
-    /// Proposition 8. Its second part is not claimed of other disciplines.
-    fn check_untested(&self, run: &Run<Self>) {
+    /// Checks Proposition 8. Its second part is not claimed of other disciplines.
+    fn check_untested(&self, run: &RamaswamiSiqueira<Self>) {
         let untested: Vec<_> = run.lists.iter(List::Untested).collect();
         for &v in &untested {
             let n = run.lists[v];
@@ -142,8 +143,8 @@ impl Checker {
         }
     }
 
-    /// Propositions 9 and 10.
-    fn check_tested(&self, run: &Run<Self>) {
+    /// Checks Propositions 9 and 10.
+    fn check_tested(&self, run: &RamaswamiSiqueira<Self>) {
         let put_aside: Vec<_> = run.lists.iter(List::Tested).collect();
         for &v in &put_aside {
             let n = run.lists[v];
@@ -155,10 +156,10 @@ impl Checker {
         assert!(put_aside.is_sorted_by_key(counted), "contractible edges come first");
     }
 
-    /// Proposition 11, and what holds while edges are untested: of the critical cycles through [u, w],
-    /// those are counted whose third vertex has been processed or put aside, or was known as a
+    /// Checks Proposition 11, and what holds while edges are untested: of the critical cycles through [u,
+    /// w], those are counted whose third vertex has been processed or put aside, or was known as a
     /// neighbour when [u, w] was tested.
-    fn check_counters(&self, run: &Run<Self>, graph: &Graph) {
+    fn check_counters(&self, run: &RamaswamiSiqueira<Self>, graph: &Graph) {
         for w in run.lists.iter(List::Tested) {
             let n = run.lists[w];
             let is_counted = |&z: &VertexId| {
@@ -189,7 +190,8 @@ fn observe(surface: &Surface, discipline: Discipline, seed: u64) -> usize {
         Random::stream(seed, &["order"]).shuffle(&mut order);
     }
     let vertices = triangulation.vertex_count();
-    let mut run = Run::new(ShrinkingTriangulation::of(triangulation), discipline, checker);
+    let mut run =
+        RamaswamiSiqueira::new(ShrinkingTriangulation::from(triangulation), discipline, checker);
     run.process_all(order);
     let (tests, contractions) =
         (run.observer.tested.borrow().len(), run.observer.contractions.get());
@@ -214,7 +216,7 @@ fn counters_are_right_when_the_last_edge_goes_first() {
     }
 }
 
-/// A surface of triangles whose corners are separated by points.
+/// Returns a surface of triangles whose corners are separated by points.
 fn surface(triangles: &str) -> Surface {
     let corners = |t: &str| -> Vec<u32> { t.split('.').map(|v| v.parse().unwrap()).collect() };
     let triangles: Vec<[u32; 3]> =
@@ -223,8 +225,8 @@ fn surface(triangles: &str) -> Surface {
     Surface { positions: vec![[0.0; 3]; vertices as usize], triangles }
 }
 
-/// A torus for which Algorithm 4.2 as printed contracts nothing, as it keeps the counters of an
-/// earlier centre (no reset after line 11).
+/// A torus for which Algorithm 4.2 as printed contracts nothing, as it keeps the counters
+/// of an earlier centre (no reset after line 11).
 #[test]
 fn counters_are_reset_for_every_centre() {
     let torus = surface(
@@ -244,8 +246,8 @@ fn cycles_are_uncounted_if_no_contraction_came_between() {
     assert_eq!(observe(&torus, Discipline::FirstInFirstOut, 0), 7);
 }
 
-/// A torus on which Algorithm 4.2 as printed leaves vertex 2 before it is trapped, as line 34 looks
-/// at one list only.
+/// A torus on which Algorithm 4.2 as printed leaves vertex 2 before it is trapped, as line
+/// 34 looks at one list only.
 #[test]
 fn no_vertex_is_left_before_it_is_trapped() {
     let torus = surface(
@@ -256,8 +258,8 @@ fn no_vertex_is_left_before_it_is_trapped() {
     observe(&torus, Discipline::FirstInFirstOut, 0);
 }
 
-/// A surface of genus 2 that Algorithm 4.2 as printed leaves reducible, with 11 vertices, for the
-/// same reason.
+/// A surface of genus 2 that Algorithm 4.2 as printed leaves reducible, with 11 vertices,
+/// for the same reason.
 #[test]
 fn no_contractible_edge_is_left_behind() {
     let double_torus = surface(

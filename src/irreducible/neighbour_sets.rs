@@ -1,6 +1,6 @@
 //! The neighbour dictionaries of Schipper's algorithm.
 
-use crate::triangulation::{HalfEdgeId, Id, ShrinkingTriangulation, VertexId};
+use crate::triangulation::{HalfEdgeId, ShrinkingTriangulation, VertexId};
 
 /// For each vertex v the ordered set D_v of its neighbours: a treap (Seidel and Aragon, *Randomized
 /// search trees*), whose nodes lie in one array for all vertices. O(log deg v) an operation,
@@ -11,13 +11,13 @@ use crate::triangulation::{HalfEdgeId, Id, ShrinkingTriangulation, VertexId};
 #[derive(Debug)]
 pub(super) struct NeighbourSets {
     /// The nodes, and behind them one for each vertex whose left child is the root of its set.
-    nodes: Vec<Node>,
+    nodes: Vec<TreapNode>,
     /// Where the nodes that hold roots begin.
     roots: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Node {
+struct TreapNode {
     neighbour: VertexId,
     /// Where lesser and greater neighbours are, or [`NIL`].
     children: [u32; 2],
@@ -25,17 +25,17 @@ struct Node {
 
 const NIL: u32 = u32::MAX;
 
-/// Where a reference to a node is kept: in which node, and which of its children it is.
-type Place = (u32, usize);
+/// A place that holds a reference to a node: the holding node, and the number of the child.
+type Link = (u32, usize);
 
 /// A node that is in no set.
 #[derive(Debug)]
 pub(super) struct FreeNode(u32);
 
 impl NeighbourSets {
-    /// The neighbours of all vertices of `k`. O(n log d) expected, for the mean degree d.
-    pub(super) fn of(k: &ShrinkingTriangulation) -> Self {
-        let empty = Node { neighbour: VertexId::NONE, children: [NIL; 2] };
+    /// Gathers the neighbours of all vertices of `k`. O(n log d) expected, for the mean degree d.
+    pub(super) fn new(k: &ShrinkingTriangulation) -> Self {
+        let empty = TreapNode { neighbour: VertexId::NONE, children: [NIL; 2] };
         let roots = k.half_edge_id_count();
         let nodes = vec![empty; roots + k.vertex_id_count()];
         let mut sets = Self { nodes, roots: roots as u32 };
@@ -45,7 +45,7 @@ impl NeighbourSets {
         sets
     }
 
-    /// Whether `w` is a neighbour of `v`.
+    /// Returns whether `w` is a neighbour of `v`.
     pub(super) fn contains(&self, v: VertexId, w: VertexId) -> bool {
         let (holder, side) = self.root(v);
         let mut at = self.nodes[holder as usize].children[side];
@@ -81,7 +81,7 @@ impl NeighbourSets {
         ends.into_iter().for_each(|end| self.put(end, NIL));
     }
 
-    /// Takes `w`, which must be in, out of the neighbours of `v`.
+    /// Removes `w`, which must be present, from the neighbours of `v`.
     pub(super) fn remove(&mut self, v: VertexId, w: VertexId) -> FreeNode {
         let mut place = self.root(v);
         let mut node = self.at(place);
@@ -101,20 +101,21 @@ impl NeighbourSets {
         FreeNode(node)
     }
 
-    fn root(&self, v: VertexId) -> Place {
+    fn root(&self, v: VertexId) -> Link {
         (self.roots + v.index() as u32, 0)
     }
 
-    fn at(&self, (holder, side): Place) -> u32 {
+    fn at(&self, (holder, side): Link) -> u32 {
         self.nodes[holder as usize].children[side]
     }
 
-    fn put(&mut self, (holder, side): Place, node: u32) {
+    fn put(&mut self, (holder, side): Link, node: u32) {
         self.nodes[holder as usize].children[side] = node;
     }
 }
 
-/// The rank of a node, as good as random and different for each (the finaliser of MurmurHash3).
+/// Returns the rank of a node, as good as random and different for each (the finaliser of
+/// MurmurHash3).
 fn priority(node: u32) -> u32 {
     let node = (node ^ (node >> 16)).wrapping_mul(0x85eb_ca6b);
     let node = (node ^ (node >> 13)).wrapping_mul(0xc2b2_ae35);
@@ -135,7 +136,7 @@ mod tests {
         let mut found = Vec::new();
         let mut pending = vec![sets.at(sets.root(v))];
         while let Some(node) = pending.pop().filter(|&node| node != NIL) {
-            let Node { neighbour, children } = sets.nodes[node as usize];
+            let TreapNode { neighbour, children } = sets.nodes[node as usize];
             found.push(neighbour);
             for child in children.into_iter().filter(|&child| child != NIL) {
                 assert!(priority(child) < priority(node));
@@ -152,8 +153,8 @@ mod tests {
         let pair = |i: u32| [[i, (i + 1) % 40, 40], [(i + 1) % 40, i, 41]];
         let triangles = (0..40).flat_map(pair).collect();
         let list = Mesh::from_triangles(vec![[0.0; 3]; 42], triangles);
-        let k = ShrinkingTriangulation::of(Triangulation::build(&list).unwrap());
-        let mut sets = NeighbourSets::of(&k);
+        let k = ShrinkingTriangulation::from(Triangulation::build(&list).unwrap());
+        let mut sets = NeighbourSets::new(&k);
         let id = |v: u32| VertexId::new(v as usize);
         let neighbours = |v| k.spokes(id(v)).map(|h| k.destination(h)).collect();
         let mut expected: Vec<BTreeSet<VertexId>> = (0..42).map(neighbours).collect();

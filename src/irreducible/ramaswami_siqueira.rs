@@ -2,69 +2,59 @@
 //!
 //! Vertices are processed one after the other: edges at vertex u are contracted into u until u is
 //! trapped, which it then stays (Lemma 5). An edge [u, v] that fails its test is put aside with the
-//! number c(v) of its critical cycles, and the counters are kept right from then on, so that it is
-//! known without another test when the edge becomes contractible.
+//! number c(v) of its critical cycles, and the counters are kept right from then on, so that no
+//! second test is needed when the edge becomes contractible.
 //!
 //! Departs from the printed pseudo-code where that is wrong; comments at the four places say how:
 //! counters are reset for each u (Algorithm 4.2), a time stamp is compared with ≥ (Algorithm 4.3,
 //! line 14), apexes are read before they are lost (line 4), and u is only done when no edge put
-//! aside is contractible (Algorithm 4.2, line 34). Departs in form too: an edge at u is named by its
-//! other end, so vertices carry what the paper keeps in edge records, and the two walks over the
-//! new neighbours of u are one.
+//! aside is contractible (Algorithm 4.2, line 34). Departs in form too: an edge at u is named by
+//! its other end, so vertices carry what the paper keeps in edge records, and the two walks over
+//! the new neighbours of u are one.
 
-use super::edge_lists::{EdgeLists, List};
-use super::{Counts, Reduction};
+use super::contracted::{Contracted, Counts};
+use super::edge_lists::{Discipline, EdgeLists, List};
 use crate::triangulation::{
     Contraction, HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit,
 };
 
-/// Where edges that are new at u enter the list of untested edges.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Discipline {
-    /// At the rear, as published; those to vertices of degree 3 at the front.
-    #[default]
-    FirstInFirstOut,
-    /// At the front. Tests more edges, and contracts in an order that suits expansion better.
-    LastInFirstOut,
-}
-
 /// Contracts edges of `triangulation` until none can be, by RS. Vertices are processed in `order`,
-/// which should have all; those that are gone or in no triangle are passed over.
+/// which should hold all vertices. Those that are gone or in no triangle are skipped.
 ///
 /// O(n) for surfaces of genus 0 and O(g² + g n) for genus g > 0; 36 bytes a vertex for the state
-/// and the receipts. Triangles that are numbered at random take about three times as long as others;
-/// to renumber them first was measured to take longer than that.
+/// and the receipts. Triangles that are numbered at random take about three times as long as
+/// others; renumbering them first was measured to take longer than that.
 pub fn ramaswami_siqueira(
     triangulation: ShrinkingTriangulation,
     order: impl IntoIterator<Item = VertexId>,
     discipline: Discipline,
-) -> Reduction {
-    let mut run = Run::new(triangulation, discipline, ());
+) -> Contracted {
+    let mut run = RamaswamiSiqueira::new(triangulation, discipline, ());
     run.process_all(order);
     run.finish()
 }
 
-/// Looks on while edges are contracted; production looks away.
-pub(super) trait Observer: Sized {
+/// Test hook, called after each step; `()` in production.
+pub(super) trait ContractionObserver: Sized {
     /// Edge [u, v] has left the list of untested edges.
-    fn popped(&self, _run: &Run<Self>, _v: VertexId) {}
+    fn popped(&self, _run: &RamaswamiSiqueira<Self>, _v: VertexId) {}
     /// Edge [u, v] is being tested against the link condition.
-    fn tested(&self, _run: &Run<Self>, _v: VertexId) {}
+    fn tested(&self, _run: &RamaswamiSiqueira<Self>, _v: VertexId) {}
     /// The edge of `h` is about to be contracted.
-    fn contracting(&self, _run: &Run<Self>, _h: HalfEdgeId) {}
+    fn contracting(&self, _run: &RamaswamiSiqueira<Self>, _h: HalfEdgeId) {}
     /// An edge has been dealt with: contracted, put aside or left alone.
-    fn settled(&self, _run: &Run<Self>) {}
+    fn settled(&self, _run: &RamaswamiSiqueira<Self>) {}
     /// Vertex u has been processed.
-    fn processed(&self, _run: &Run<Self>) {}
+    fn processed(&self, _run: &RamaswamiSiqueira<Self>) {}
 }
 
-impl Observer for () {}
+impl ContractionObserver for () {}
 
 /// Time before any contraction: the edge has not been tested.
 pub(super) const NEVER: u32 = u32::MAX;
 
-/// What is known of a vertex v, mostly as a neighbour of the vertex u being processed (Table 1). All
-/// zeros for one that has never been a neighbour.
+/// Data of a vertex v, mostly as a neighbour of the vertex u being processed (Table 1). All zeros
+/// for one that has never been a neighbour.
 #[derive(Clone, Copy, Debug, bytemuck::Zeroable)]
 pub(super) struct Neighbour {
     /// n: the last round in which it was a neighbour; instead of the vertex that was u.
@@ -93,14 +83,14 @@ struct FarSpoke {
 
 impl FarSpoke {
     #[inline]
-    fn of(k: &ShrinkingTriangulation, spoke: HalfEdgeId) -> Self {
+    fn new(k: &ShrinkingTriangulation, spoke: HalfEdgeId) -> Self {
         let facing = spoke.next();
         Self { spoke, end: k.origin(facing), across: k.twin(facing) }
     }
 }
 
 /// The state of the algorithm.
-pub(super) struct Run<O> {
+pub(super) struct RamaswamiSiqueira<O> {
     pub(super) k: ShrinkingTriangulation,
     pub(super) lists: EdgeLists<Neighbour>,
     /// u.
@@ -117,7 +107,7 @@ pub(super) struct Run<O> {
     pub(super) observer: O,
 }
 
-impl<O: Observer> Run<O> {
+impl<O: ContractionObserver> RamaswamiSiqueira<O> {
     pub(super) fn new(k: ShrinkingTriangulation, discipline: Discipline, observer: O) -> Self {
         Self {
             lists: EdgeLists::new(k.vertex_id_count()),
@@ -133,15 +123,15 @@ impl<O: Observer> Run<O> {
         }
     }
 
-    pub(super) fn finish(self) -> Reduction {
+    pub(super) fn finish(self) -> Contracted {
         let counts = Counts {
             link_condition_tests: self.link_condition_tests,
             edges_tested_more_than_once: 0,
         };
-        Reduction { triangulation: self.k, splits: self.splits, counts }
+        Contracted { triangulation: self.k, splits: self.splits, counts }
     }
 
-    /// Algorithm 4.2.
+    /// Processes all vertices in `order` (Algorithm 4.2).
     pub(super) fn process_all(&mut self, order: impl IntoIterator<Item = VertexId>) {
         for u in order {
             if self.k.outgoing(u).is_some() && !self.lists[u].processed {
@@ -224,7 +214,7 @@ impl<O: Observer> Run<O> {
         let mut cycles = 0;
         self.far_spokes.clear();
         for g in self.k.far_spokes(spoke) {
-            let far = FarSpoke::of(&self.k, g);
+            let far = FarSpoke::new(&self.k, g);
             self.far_spokes.push(far);
             let z = far.end;
             // If [u, v] is contracted, [u, z] is tested soon.
@@ -261,7 +251,7 @@ impl<O: Observer> Run<O> {
         }
     }
 
-    /// An edge put aside that can be contracted now, if there is one: they come first
+    /// Returns an edge put aside that can be contracted now, if there is one: they come first
     /// (Proposition 10).
     fn contractible_tested(&self) -> Option<VertexId> {
         self.lists.front(List::Tested).filter(|&v| self.lists[v].critical_cycles == 0)
@@ -272,12 +262,12 @@ impl<O: Observer> Run<O> {
     fn contract(&mut self, v: VertexId) {
         self.far_spokes.clear();
         let far_spokes = self.k.far_spokes(self.lists[v].spoke);
-        self.far_spokes.extend(far_spokes.map(|spoke| FarSpoke::of(&self.k, spoke)));
+        self.far_spokes.extend(far_spokes.map(|spoke| FarSpoke::new(&self.k, spoke)));
         self.contract_walked(v);
     }
 
     /// Contracts [u, v], whose far spokes are at hand, and meets the neighbours that u gains
-    /// (Algorithms 4.5 and 4.7). Gives back the apexes of the two triangles that are gone.
+    /// (Algorithms 4.5 and 4.7). Returns the apexes of the two removed triangles.
     fn contract_walked(&mut self, v: VertexId) -> [VertexId; 2] {
         self.now += 1;
         self.lists[v].processed = true;
@@ -308,8 +298,7 @@ impl<O: Observer> Run<O> {
         apexes
     }
 
-    /// Has the cache fetch what a test meets beyond the triangle of `across`: that of the end of a spoke
-    /// of u whose triangle faces it.
+    /// Prefetches what a test reads beyond the triangle of `across`.
     #[inline]
     fn prefetch_beyond(&self, across: HalfEdgeId) {
         self.lists.prefetch(self.k.origin(across.prev()));
@@ -318,7 +307,7 @@ impl<O: Observer> Run<O> {
             .for_each(|side| self.k.prefetch(self.k.twin(side)));
     }
 
-    /// [u, w], put aside, is in one critical cycle less.
+    /// Counts one critical cycle less for [u, w], which has been put aside.
     fn uncount(&mut self, w: VertexId) {
         let cycles = &mut self.lists[w].critical_cycles;
         *cycles -= 1;
@@ -330,7 +319,7 @@ impl<O: Observer> Run<O> {
 }
 
 impl Neighbour {
-    /// It turns out to be a neighbour of u in this `round`, through `spoke`.
+    /// Records that v is a neighbour of u in this `round`, through `spoke`.
     #[inline]
     fn meet(&mut self, round: u32, spoke: HalfEdgeId, now: u32) {
         self.round = round;
@@ -358,7 +347,7 @@ fn count_cycles_through(
     }
 }
 
-/// [u, w], put aside, is in one critical cycle more.
+/// Counts one critical cycle more for [u, w], which has been put aside.
 fn count(lists: &mut EdgeLists<Neighbour>, w: VertexId) {
     let cycles = &mut lists[w].critical_cycles;
     *cycles += 1;

@@ -1,32 +1,32 @@
 //! S, Schipper's algorithm as Ramaswami and Siqueira describe and measure it (sections 3 and 5).
 //!
 //! Every vertex v has a dictionary D_v of its neighbours, here a treap; one more dictionary, here a
-//! binary heap, has all vertices that may not be trapped yet, by degree. A vertex of least degree is
-//! tried, edge after edge: [v, u] can be contracted if no vertex in the link of v but the apexes is in
-//! D_u. If one can be, v is merged into u; else v is trapped, and stays so (Lemma 5).
+//! binary heap, has all vertices that may not be trapped yet, by degree. A vertex of least degree
+//! is tried, edge after edge: [v, u] can be contracted if no vertex in the link of v but the apexes
+//! is in D_u. If one can be, v is merged into u; else v is trapped, and stays so (Lemma 5).
 
+use super::contracted::{Contracted, Counts};
 use super::degree_queue::DegreeQueue;
 use super::neighbour_sets::NeighbourSets;
-use super::{Counts, Reduction};
-use crate::triangulation::{HalfEdgeId, Id, IdVec, ShrinkingTriangulation, VertexId, VertexSplit};
+use crate::triangulation::{HalfEdgeId, IdVec, ShrinkingTriangulation, VertexId, VertexSplit};
 
 /// Contracts edges of `triangulation` until none can be, by Schipper's algorithm. Where degrees are
 /// equal the vertex of least id comes first.
 ///
 /// O(n log n + g log n + g⁴) as stated in the paper, here expected; about 105 bytes a vertex beside
 /// `triangulation`.
-pub fn schipper(triangulation: ShrinkingTriangulation) -> Reduction {
-    let mut run = Run::new(triangulation);
+pub fn schipper(triangulation: ShrinkingTriangulation) -> Contracted {
+    let mut run = Schipper::new(triangulation);
     while let Some(v) = run.queue.first() {
         match run.find_contractible(v) {
             Some(h) => run.contract(h),
             None => run.queue.remove(v),
         }
     }
-    Reduction { triangulation: run.k, splits: run.splits, counts: run.counts }
+    Contracted { triangulation: run.k, splits: run.splits, counts: run.counts }
 }
 
-struct Run {
+struct Schipper {
     k: ShrinkingTriangulation,
     sets: NeighbourSets,
     queue: DegreeQueue,
@@ -36,13 +36,13 @@ struct Run {
     counts: Counts,
 }
 
-impl Run {
+impl Schipper {
     fn new(k: ShrinkingTriangulation) -> Self {
         let used = |v: &VertexId| k.outgoing(*v).is_some();
         let vertices = (0..k.vertex_id_count()).map(VertexId::new).filter(used);
         let by_degree = vertices.map(|v| (k.degree(v), v)).collect();
         Self {
-            sets: NeighbourSets::of(&k),
+            sets: NeighbourSets::new(&k),
             queue: DegreeQueue::new(by_degree, k.vertex_id_count()),
             tests: IdVec::filled(0, k.half_edge_id_count()),
             splits: Vec::with_capacity(k.vertex_count()),
@@ -51,7 +51,7 @@ impl Run {
         }
     }
 
-    /// The first contractible edge at `v`, as half-edge towards it.
+    /// Returns the first contractible edge at `v`, as half-edge towards it.
     fn find_contractible(&mut self, v: VertexId) -> Option<HalfEdgeId> {
         let Self { k, sets, tests, counts, .. } = self;
         k.spokes(v).map(|h| k.twin(h)).find(|&h| {
@@ -62,7 +62,7 @@ impl Run {
         })
     }
 
-    /// Contracts the edge of `h` from u to v, and tells all dictionaries.
+    /// Contracts the edge of `h` from u to v and updates all dictionaries.
     fn contract(&mut self, h: HalfEdgeId) {
         let (u, v) = (self.k.origin(h), self.k.destination(h));
         let [x, y] = self.k.apexes(h);

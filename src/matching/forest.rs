@@ -10,7 +10,7 @@
 
 use crate::dual::{DualGraph, Matching};
 use crate::prefetch::prefetch;
-use crate::triangulation::{Id, TriangleId};
+use crate::triangulation::TriangleId;
 
 /// How a triangle lies in the forest.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

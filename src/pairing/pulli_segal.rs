@@ -5,12 +5,13 @@
 //! four priorities by its free edges. The paper leaves open which triangle of a priority set goes
 //! first, and which of several neighbours of the highest priority is taken. It matters:
 //!
-//! * The sets are queues: first in, first out; so the oldest goes first. The pairing then spreads from
-//!   its start in rings, what is unpaired stays in one piece, and few triangles are cut off. With
-//!   stacks it runs off in tendrils that cut the surface into islands, most with a leftover: on a
-//!   scan of genus 55, 0.19 % unpaired instead of 0.06 %. Rings also visit triangles near each other
-//!   soon after each other, which the cache rewards.
-//! * Of neighbours of equal priority too the oldest is taken: 0.06 % instead of 0.09 % with the first.
+//! * The sets are queues: first in, first out; so the oldest goes first. The pairing then spreads
+//!   from its start in rings, what is unpaired stays in one piece, and few triangles are cut off.
+//!   With stacks it runs off in tendrils that cut the surface into islands, most with a leftover:
+//!   on a scan of genus 55, 0.19 % unpaired instead of 0.06 %. Rings also visit triangles near each
+//!   other soon after each other, which the cache rewards.
+//! * Of neighbours of equal priority too the oldest is taken: 0.06 % instead of 0.09 % with the
+//!   first.
 //! * On a perfectly regular mesh the rings, six-sided there, leave a row of triangles where their
 //!   sides meet, while strips wound one beside the other leave none. So set 1 is a stack until a
 //!   triangle has been left alone for the first time, which on irregular meshes is soon.
@@ -20,13 +21,14 @@ use std::collections::VecDeque;
 use super::ranked_graph::{Priority, Rank, RankedGraph};
 use crate::dual::{DualGraph, Matching};
 use crate::random::Random;
-use crate::triangulation::{Id, TriangleId};
+use crate::triangulation::TriangleId;
 
 /// Pairs triangles by priority: one of the highest non-empty set with its highest-priority
 /// neighbour across a free edge; ties as explained above.
 ///
 /// From set 0, which is drawn on once for each component, triangles are taken at random if `random`
-/// is given, else in their order; `random` also chooses which side of a triangle counts as its first.
+/// is given, else in their order; `random` also chooses which side of a triangle counts as its
+/// first.
 ///
 /// Θ(n) time: a triangle changes its set at most three times. 20 bytes a triangle, and queues as long
 /// as the edge of the paired region.
@@ -69,10 +71,10 @@ pub(super) struct Greedy<'g> {
     time: Time,
     /// By priority; those of sets 1, 2 and 3 are used.
     queues: [VecDeque<TriangleId>; 5],
-    /// Whether a triangle has been left alone.
+    /// True once a triangle has been left alone.
     irregular: bool,
     lowest: LowestSet,
-    /// Where the sides of a triangle begin.
+    /// The side of every triangle that is taken for its first.
     first_side: usize,
     random: Option<&'g mut Random>,
 }
@@ -125,8 +127,8 @@ impl<'g> Greedy<'g> {
         if newest { queue.pop_back() } else { queue.pop_front() }
     }
 
-    /// The neighbour of highest priority, the oldest of several, across a free edge; of equally old
-    /// ones the one across the earliest side.
+    /// Returns the neighbour of highest priority, the oldest of several, across a free edge; of
+    /// equally old ones the one across the earliest side.
     pub(super) fn best_neighbour(&self, f: TriangleId) -> Option<TriangleId> {
         let sides = self.ranked.sides(f);
         let mut best = sides[self.first_side];
@@ -172,7 +174,7 @@ impl<'g> Greedy<'g> {
         }
     }
 
-    /// Whether `f` has been taken out of its set for good.
+    /// Returns whether `f` has been taken out of its set for good.
     pub(super) fn is_done(&self, f: TriangleId) -> bool {
         self.priority(f) == Priority::Done
     }
@@ -227,7 +229,7 @@ impl<'g> Greedy<'g> {
 struct LowestSet {
     /// Every triangle of set 0 in random order, once there have been enough unlucky draws.
     listed: Option<Vec<TriangleId>>,
-    /// How many have been taken, or passed over, in that order or that of the triangles.
+    /// Number of triangles taken or passed over, in that order or that of the triangles.
     taken: usize,
 }
 
@@ -272,7 +274,8 @@ mod tests {
     use crate::mesh::Mesh;
     use crate::triangulation::Triangulation;
 
-    /// The priority of `f` from section 3.1 to the letter, knowing only who is paired or left alone.
+    /// Returns the priority of `f` from section 3.1 to the letter, knowing only who is paired or
+    /// left alone.
     fn by_definition(graph: &DualGraph, done: &[bool], f: TriangleId) -> Priority {
         let free =
             |f: TriangleId| graph.neighbours(f).filter(|g| !done[g.index()]).collect::<Vec<_>>();

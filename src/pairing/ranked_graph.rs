@@ -2,7 +2,7 @@
 
 use crate::dual::DualGraph;
 use crate::prefetch::prefetch;
-use crate::triangulation::{Id, TriangleId};
+use crate::triangulation::TriangleId;
 
 /// Number of the priority set of an unpaired triangle; the highest goes first.
 ///

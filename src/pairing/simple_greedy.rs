@@ -3,7 +3,7 @@
 
 use crate::dual::{DualGraph, Matching};
 use crate::random::Random;
-use crate::triangulation::{Id, TriangleId};
+use crate::triangulation::TriangleId;
 
 /// Pairs the triangles on both sides of each edge, taken in random order, if both are unpaired.
 ///
@@ -23,7 +23,7 @@ pub fn simple_greedy(graph: &DualGraph, random: &mut Random) -> Matching {
     matching
 }
 
-/// Each edge once, as 3 f + i where side `i` of triangle `f` is the lower of its two sides.
+/// Lists each edge once, as 3 f + i where side `i` of triangle `f` is the lower of its two sides.
 fn edges_of(graph: &DualGraph) -> Vec<u32> {
     let mut edges = Vec::with_capacity(graph.len() * 3 / 2);
     for f in graph.triangles() {

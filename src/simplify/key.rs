@@ -10,13 +10,14 @@ const STAGE_BIT: u32 = 29;
 /// Bits below those of the cost, which keep its exponent and 3 bits of its fraction.
 const TIE_BITS: u32 = 18;
 
-/// The key of edge `edge` at this cost before it has been refused.
+/// Returns the key of edge `edge` at this cost before it has been refused.
 ///
 /// Costs that agree to an eighth count as equal, and such edges are shuffled (by a multiplicative
-/// hash): in the order of the file, a regular grid would be thinned out row by row and stay regular.
+/// hash): in the order of the file, a regular grid would be thinned out row by row and stay
+/// regular.
 #[inline]
 pub fn first(cost: f64, edge: usize) -> u32 {
-    // Written so that a cost which is no number is the highest.
+    // Written so that NaN is the highest cost.
     let cost = if cost < f64::from(f32::MAX) { cost as f32 } else { f32::MAX };
     let hash = (edge as u32 + 1).wrapping_mul(0x9e37_79b1);
     let hash = (hash ^ (hash >> 15)).wrapping_mul(0x85eb_ca77);
@@ -25,13 +26,13 @@ pub fn first(cost: f64, edge: usize) -> u32 {
     cost << TIE_BITS | hash >> (u32::BITS - TIE_BITS)
 }
 
-/// The key of an edge that has been refused at the stage of `key`.
+/// Returns the key of an edge that has been refused at the stage of `key`.
 #[inline]
 pub fn later(key: u32) -> u32 {
     if stage(key) + 1 < STAGES.len() { key + (1 << STAGE_BIT) } else { Tournament::ABSENT }
 }
 
-/// The stage at which an edge waits, that of absent ones behind all others.
+/// Returns the stage at which an edge waits, that of absent ones behind all others.
 #[inline]
 pub fn stage(key: u32) -> usize {
     (key >> STAGE_BIT) as usize

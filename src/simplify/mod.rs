@@ -1,34 +1,34 @@
 //! Simplification to an exact number of vertices that keeps the topology: edges are contracted in
 //! order of quadric error (Garland and Heckbert, *Surface Simplification Using Quadric Error
-//! Metrics*, SIGGRAPH 1997) where the link condition holds. Stands in for the tool that made A2 to
-//! A5 of A1 and B2 to B5 of B1 (Lemos et al., section 4, Table 4.2).
+//! Metrics*, SIGGRAPH 1997) where the link condition holds. It takes the place of the tool that
+//! made A2 to A5 of A1 and B2 to B5 of B1 (Lemos et al., section 4, Table 4.2).
 //!
-//! Edges wait in a tournament tree. A contraction prices the edges of the vertex that it leaves anew;
-//! an edge that is refused for its triangles or degrees waits behind all others until something
-//! changes near it, or until nothing better is left.
+//! Edges wait in a tournament tree. A contraction prices the edges of the vertex that it leaves
+//! anew; an edge that is refused for its triangles or degrees waits behind all others until
+//! something changes near it, or until nothing better is left.
 
 mod key;
 mod placement;
 mod quadric;
 mod shape;
 mod tournament;
-mod vector;
 
+use crate::vector::{Vector, cross, difference, scaled};
 use placement::{Placement, Point};
 use quadric::Quadric;
 use shape::{Face, Limits, STAGES};
 use tournament::Tournament;
-use vector::{Vector, cross, difference, scaled};
 
 pub use shape::Shape;
 
 use crate::mesh::Mesh;
 use crate::triangulation::{
-    HalfEdgeId, Id, IdVec, LinkMarks, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
+    HalfEdgeId, IdVec, LinkMarks, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
 };
 
 /// Why a triangulation cannot be simplified to the number of vertices asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SimplifyError {
     /// There are not as many vertices.
     #[error("{wanted} vertices wanted, but there are only {present}")]
@@ -81,10 +81,10 @@ pub struct Simplifier {
     points: IdVec<VertexId, Point>,
     /// Keys of edges, at the smaller of their half-edges.
     queue: Tournament,
-    /// Whether an edge at the vertex may have been refused since all of them were priced.
+    /// True if an edge at the vertex may have been refused since all of them were priced.
     has_refused: IdVec<VertexId, bool>,
     marks: LinkMarks,
-    /// Whether an edge may have become possible without having been priced anew.
+    /// True if an edge may have become possible without having been priced anew.
     stale: bool,
     /// Length of the input, at which prices of all sizes of mesh are alike.
     scale: f64,
@@ -94,14 +94,14 @@ pub struct Simplifier {
 const SMALL_DEGREE: u32 = 64;
 
 impl Simplifier {
-    /// Takes a triangulation over and prices its edges; `positions` are those of the list that it was
-    /// built from. O(n).
+    /// Takes a triangulation over and prices its edges; `positions` are those of the list that it
+    /// was built from. O(n).
     ///
     /// # Panics
     /// If there are fewer positions than vertices.
     pub fn new(triangulation: Triangulation, positions: &[Vector]) -> Self {
         let vertices = triangulation.vertex_id_count();
-        let triangulation = ShrinkingTriangulation::of(triangulation);
+        let triangulation = ShrinkingTriangulation::from(triangulation);
         let scale = power_of_two_near_extent(positions);
         let points = with_planes(&triangulation, &positions[..vertices], 1.0 / scale);
         Self {
@@ -115,12 +115,13 @@ impl Simplifier {
         }
     }
 
-    /// Number of vertices left; those that no triangle uses do not count.
+    /// Returns the number of vertices left; those that no triangle uses do not count.
     pub fn vertex_count(&self) -> usize {
         self.triangulation.vertex_count()
     }
 
-    /// Contracts edges until `vertices` are left. O(n log n) for bounded degrees, linear in practice.
+    /// Contracts edges until `vertices` are left. O(n log n) for bounded degrees, linear in
+    /// practice.
     ///
     /// # Errors
     /// There are fewer already, or topology stands in the way; what has been reached then stays.
@@ -145,8 +146,8 @@ impl Simplifier {
         Ok(())
     }
 
-    /// The vertices and triangles left, in their old order. O(n + m log m) for n vertices of the input
-    /// and m left.
+    /// Returns the vertices and triangles left, in their old order. O(n + m log m) for n vertices
+    /// of the input and m left.
     pub fn result(&self) -> (Mesh, Triangulation) {
         let (survivors, triangulation) = self.triangulation.survivors();
         let position = |&v: &VertexId| scaled(self.points[v].position, self.scale);
@@ -156,7 +157,7 @@ impl Simplifier {
         (Mesh::from_triangles(positions, triangles), triangulation)
     }
 
-    /// Contracts an edge, or says when to try again.
+    /// Contracts an edge, or puts it back with a later key.
     fn attempt(&mut self, h: HalfEdgeId, key: u32) {
         let stage = key::stage(key);
         // The link condition comes last: it seldom fails where the rest holds.
@@ -182,7 +183,8 @@ impl Simplifier {
         one + other - 4 <= limits.degree
     }
 
-    /// The best point for the vertex that the edge becomes that the limits of the stage allow.
+    /// Returns the best point for the vertex that the edge becomes that the limits of the stage
+    /// allow.
     fn allowed_point(&self, h: HalfEdgeId, stage: usize) -> Option<Point> {
         let ends = [self.triangulation.origin(h), self.triangulation.destination(h)];
         let [u, v] = ends.map(|end| &self.points[end]);
@@ -195,8 +197,9 @@ impl Simplifier {
         others.iter().map(|other| other.point).find(allowed)
     }
 
-    /// Whether the triangles at either end of an edge, but those at both, may have that end moved
-    /// to `place`: none turns too far, and none is less round than allowed unless one was before.
+    /// Returns whether the triangles at either end of an edge, but those at both, may have that end
+    /// moved to `place`: none turns too far, and none is less round than allowed unless one was
+    /// before.
     fn triangles_allow(&self, [u, v]: [VertexId; 2], place: Vector, limits: &Limits) -> bool {
         if limits.any_triangle {
             return true;
@@ -219,7 +222,7 @@ impl Simplifier {
         least >= limits.roundness || least >= self.least_roundness([u, v])
     }
 
-    /// The least roundness of a triangle at either end.
+    /// Returns the least roundness of a triangle at either end.
     fn least_roundness(&self, ends: [VertexId; 2]) -> f64 {
         let k = &self.triangulation;
         let roundness = |h: HalfEdgeId| {
@@ -230,7 +233,8 @@ impl Simplifier {
         ends.into_iter().flat_map(|end| k.spokes(end)).map(roundness).fold(1.0, f64::min)
     }
 
-    /// Contracts an edge into the end with more edges, puts that at `point`, and prices what changed.
+    /// Contracts an edge into the end with more edges, puts that at `point`, and prices what
+    /// changed.
     fn contract(&mut self, h: HalfEdgeId, point: Point) {
         let k = &self.triangulation;
         let more = k.degree(k.destination(h)) > k.degree(k.origin(h));
@@ -239,7 +243,7 @@ impl Simplifier {
         for side in sides.iter().flat_map(|side| side.triangle().half_edges()) {
             self.queue.set(side.index(), Tournament::ABSENT);
         }
-        // There is no way back: the receipt is not kept.
+        // The receipt is not kept: simplification is not undone.
         let _ = self.triangulation.contract(h);
         self.points[u] = point;
         self.price_star(u);
@@ -257,8 +261,8 @@ impl Simplifier {
         self.has_refused[u] = false;
     }
 
-    /// Prices edges anew that were refused, at the neighbours of `u`: what they were refused for may
-    /// have changed. Nothing farther away has.
+    /// Prices edges anew that were refused, at the neighbours of `u`: what they were refused for
+    /// may have changed. Nothing farther away has.
     fn reconsider_refused_round(&mut self, u: VertexId) {
         for spoke in self.triangulation.spokes(u) {
             let v = self.triangulation.destination(spoke);
@@ -280,14 +284,14 @@ impl Simplifier {
     }
 }
 
-/// The key of an edge that has not been refused.
+/// Returns the key of an edge that has not been refused.
 #[inline]
 fn price(k: &ShrinkingTriangulation, points: &IdVec<VertexId, Point>, h: HalfEdgeId) -> u32 {
     let [u, v] = [k.origin(h), k.destination(h)].map(|end| &points[end]);
     key::first(Placement::best(u, v).cost, h.index())
 }
 
-/// All edges with their keys.
+/// Prices all edges.
 fn all_priced(k: &ShrinkingTriangulation, points: &IdVec<VertexId, Point>) -> Tournament {
     let key = |h| {
         let h = HalfEdgeId::new(h);
@@ -297,7 +301,7 @@ fn all_priced(k: &ShrinkingTriangulation, points: &IdVec<VertexId, Point>) -> To
     Tournament::new((0..k.half_edge_id_count()).map(key))
 }
 
-/// Vertices at `positions` times `scale`, each with the planes of its triangles.
+/// Makes vertices at `positions` times `scale`, each with the planes of its triangles.
 fn with_planes(
     k: &ShrinkingTriangulation,
     positions: &[Vector],
@@ -308,7 +312,7 @@ fn with_planes(
     for f in (0..k.half_edge_id_count() / 3).map(TriangleId::new) {
         let corners = f.half_edges().map(|h| k.origin(h));
         let [p, q, r] = corners.map(|v| points[v].position);
-        let plane = Quadric::of_triangle(cross(difference(q, p), difference(r, p)));
+        let plane = Quadric::from_triangle(cross(difference(q, p), difference(r, p)));
         for v in corners {
             points[v].quadric = points[v].quadric.plus(&plane);
         }
@@ -316,7 +320,7 @@ fn with_planes(
     points
 }
 
-/// A power of two, so that scaling by it and back changes no bit.
+/// Returns a power of two near the extent, so that scaling by it and back changes no bit.
 fn power_of_two_near_extent(positions: &[Vector]) -> f64 {
     let half_extent = |axis: usize| {
         let along = || positions.iter().map(|position| 0.5 * position[axis]);

@@ -4,7 +4,7 @@
 //! Departs from the paper: planes are weighted by area, and each quadric counts from a point of its
 //! own instead of the common origin, which keeps the zeros of flat regions free of cancellation.
 
-use super::vector::{Vector, difference, dot, scaled, sum};
+use crate::vector::{Vector, difference, dot, scaled, sum};
 
 /// x ↦ xᵀAx + 2bᵀx + c for x relative to some point, in length units to the fourth power.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -16,9 +16,9 @@ pub struct Quadric {
 }
 
 impl Quadric {
-    /// The plane of a triangle through the point counted from, for a third of its area; `normal` is
-    /// the cross product of two sides.
-    pub fn of_triangle(normal: Vector) -> Self {
+    /// Makes the quadric of the plane of a triangle through the point counted from, for a third of its area;
+    /// `normal` is the cross product of two sides.
+    pub fn from_triangle(normal: Vector) -> Self {
         let twice_area = dot(normal, normal).sqrt();
         if twice_area == 0.0 {
             return Self::default();
@@ -29,41 +29,42 @@ impl Quadric {
         Self { a, b: [0.0; 3], c: 0.0 }
     }
 
-    /// Both together; they count from the same point.
+    /// Returns the sum of both, which must count from the same point.
     #[inline]
     pub fn plus(&self, other: &Self) -> Self {
         let a = std::array::from_fn(|k| self.a[k] + other.a[k]);
         Self { a, b: sum(self.b, other.b), c: self.c + other.c }
     }
 
-    /// The same, counted from the point at `offset`.
+    /// Returns the same quadric, counted from the point at `offset`.
     #[inline]
     pub fn seen_from(&self, offset: Vector) -> Self {
         let b = sum(self.b, self.times(offset));
         Self { a: self.a, b, c: self.c + dot(self.b, offset) + dot(b, offset) }
     }
 
-    /// Value at `x`, not negative but for rounding.
+    /// Returns the value at `x`; it is negative only by rounding.
     #[inline]
     pub fn at(&self, x: Vector) -> f64 {
         dot(x, self.times(x)) + 2.0 * dot(self.b, x) + self.c
     }
 
-    /// Value at the point counted from.
+    /// Returns the value at the point counted from.
     #[inline]
     pub fn here(&self) -> f64 {
         self.c
     }
 
-    /// Total area of the planes: the trace of A, as normals have length 1.
+    /// Returns the total area of the planes: the trace of A, as normals have length 1.
     #[inline]
     pub fn area(&self) -> f64 {
         self.a[0] + self.a[3] + self.a[5]
     }
 
-    /// Where the quadric plus `pull` times the squared distance to `anchor` is least. The pull makes
-    /// flat and straight places definite (after Trettner and Kobbelt, *Fast and Robust QEM
-    /// Minimization using Probabilistic Quadrics*, 2020). Not finite if there is no such point.
+    /// Returns the point where the quadric plus `pull` times the squared distance to `anchor` is
+    /// least. The pull makes flat and straight places definite (after Trettner and Kobbelt, *Fast
+    /// and Robust QEM Minimization using Probabilistic Quadrics*, 2020). Not finite if there is no
+    /// such point.
     #[inline]
     pub fn minimum(&self, pull: f64, anchor: Vector) -> Vector {
         let [xx, xy, xz, yy, yz, zz] = self.a;
@@ -87,7 +88,7 @@ impl Quadric {
     }
 }
 
-/// A symmetric matrix, given by rows from the diagonal on, times a vector.
+/// Returns a symmetric matrix, given by rows from the diagonal on, times a vector.
 #[inline]
 fn product([xx, xy, xz, yy, yz, zz]: &[f64; 6], [x, y, z]: Vector) -> Vector {
     [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z]
@@ -95,8 +96,8 @@ fn product([xx, xy, xz, yy, yz, zz]: &[f64; 6], [x, y, z]: Vector) -> Vector {
 
 #[cfg(test)]
 mod tests {
-    use super::super::vector::cross;
     use super::*;
+    use crate::vector::cross;
 
     const CORNERS: [[Vector; 3]; 3] = [
         [[0.0, 0.0, 0.0], [2.0, 0.0, 1.0], [0.0, 3.0, 1.0]],
@@ -108,7 +109,7 @@ mod tests {
         cross(difference(q, p), difference(r, p))
     }
 
-    /// A third of the area times the squared distance to each plane.
+    /// Returns a third of the area times the squared distance to each plane.
     fn plainly(x: Vector) -> f64 {
         let of_plane = |corners: [Vector; 3]| {
             let n = normal(corners);
@@ -120,7 +121,7 @@ mod tests {
 
     fn whole() -> Quadric {
         let of = |corners: [Vector; 3]| {
-            Quadric::of_triangle(normal(corners)).seen_from(scaled(corners[0], -1.0))
+            Quadric::from_triangle(normal(corners)).seen_from(scaled(corners[0], -1.0))
         };
         CORNERS.map(of).iter().fold(Quadric::default(), |all, one| all.plus(one))
     }
@@ -145,7 +146,7 @@ mod tests {
     fn the_minimum_is_where_all_planes_meet_or_else_at_the_anchor() {
         let meeting = whole().minimum(0.0, [0.0; 3]);
         assert_near(whole().at(meeting), 0.0);
-        let flat = Quadric::of_triangle([0.0, 0.0, 2.0]);
+        let flat = Quadric::from_triangle([0.0, 0.0, 2.0]);
         let [x, y, z] = flat.minimum(1e-6, [3.0, 4.0, 5.0]);
         assert_near(x, 3.0);
         assert_near(y, 4.0);

@@ -1,9 +1,9 @@
-//! What triangles and degrees a contraction may leave, and those of the result.
+//! Limits on the triangles and degrees that a contraction may leave, and measures of the result.
 
-use super::vector::{Vector, cross, difference, dot, square};
 use crate::mesh::Mesh;
+use crate::vector::{Vector, cross, difference, dot, square};
 
-/// What a contraction must keep to; relaxed in stages where nothing else is left.
+/// Limits of one stage; later stages are used where nothing else is left.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// Most edges at the vertex that an edge becomes.
@@ -12,7 +12,7 @@ pub struct Limits {
     turn: f64,
     /// Least `Face::roundness`, unless one was less before.
     pub roundness: f64,
-    /// Whether nothing is asked of triangles.
+    /// True if triangles have no limits.
     pub any_triangle: bool,
 }
 
@@ -34,7 +34,7 @@ pub const STAGES: [Limits; 5] = [
 ];
 
 impl Limits {
-    /// Whether a triangle `before` may become `after` as far as its normal goes.
+    /// Returns whether a triangle `before` may become `after` as far as its normal goes.
     #[inline]
     pub fn allow_turn(&self, before: &Face, after: &Face) -> bool {
         let turned = dot(before.normal, after.normal);
@@ -53,7 +53,7 @@ pub struct Face {
 }
 
 impl Face {
-    /// Of the triangle with these corners.
+    /// Measures the triangle with these corners.
     #[inline]
     pub fn new(p: Vector, q: Vector, r: Vector) -> Self {
         let [one, two, three] = [difference(q, p), difference(r, p), difference(r, q)];
@@ -67,6 +67,8 @@ impl Face {
 
 /// Largest degree and extreme angles of a triangulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Shape {
     /// Most edges at a vertex.
     pub largest_degree: u32,
@@ -77,12 +79,12 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Measures the triangles of `list`. The angles of triangles with sides of no length are taken for
-    /// 0 and 180 degrees. O(n).
+    /// Measures the triangles of `list`. The angles of triangles with sides of no length are taken
+    /// for 0 and 180 degrees. O(n).
     ///
     /// # Panics
     /// If `list` holds anything but triangles of its vertices.
-    pub fn of(list: &Mesh) -> Self {
+    pub fn new(list: &Mesh) -> Self {
         assert_eq!(list.faces().arity(), Some(3), "only triangles have a shape");
         let mut degrees = vec![0u32; list.positions().len()];
         let (mut smallest, mut largest) = (-1.0f64, 1.0f64);
@@ -108,18 +110,18 @@ impl Shape {
         }
     }
 
-    /// The smallest angle in degrees; its last digits may differ between machines.
+    /// Returns the smallest angle in degrees; its last digits may differ between machines.
     pub fn smallest_angle(&self) -> f64 {
         self.smallest_angle_cosine.acos().to_degrees()
     }
 
-    /// The largest angle in degrees; its last digits may differ between machines.
+    /// Returns the largest angle in degrees; its last digits may differ between machines.
     pub fn largest_angle(&self) -> f64 {
         self.largest_angle_cosine.acos().to_degrees()
     }
 }
 
-/// The cosine of the angle at `p`, or `None` if a side there has no length.
+/// Returns the cosine of the angle at `p`, or `None` if a side there has no length.
 fn cosine_at(p: Vector, q: Vector, r: Vector) -> Option<f64> {
     let (one, two) = (difference(q, p), difference(r, p));
     let cosine = dot(one, two) / (square(one).sqrt() * square(two).sqrt());

@@ -1,8 +1,8 @@
 //! A priority queue over numbered items that is a tree of minima.
 //!
 //! Sixteen keys fill a cache line and are compared at once; above each sixteen stands their least.
-//! A new key climbs only as far as it changes a minimum, mostly not at all, and no array tells where
-//! an item waits, as a heap would need.
+//! A new key climbs only as far as it changes a minimum, mostly not at all, and no array of places
+//! is needed, as in a heap.
 
 const WIDTH: usize = 16;
 
@@ -17,7 +17,7 @@ impl Tournament {
     /// The key of an item that does not take part.
     pub const ABSENT: u32 = u32::MAX;
 
-    /// Items with these keys. O(n).
+    /// Makes a tournament of items with these keys. O(n).
     pub fn new(keys: impl ExactSizeIterator<Item = u32>) -> Self {
         let mut levels = vec![in_sixteens(keys)];
         while let Some(below) = levels.last().filter(|level| level.len() > 1) {
@@ -26,7 +26,7 @@ impl Tournament {
         Self { levels }
     }
 
-    /// The key of an item.
+    /// Returns the key of an item.
     #[inline]
     pub fn key(&self, item: usize) -> u32 {
         self.levels[0][item / WIDTH][item % WIDTH]
@@ -47,7 +47,7 @@ impl Tournament {
         }
     }
 
-    /// The item with the least key, the first of several, and its key. O(log n).
+    /// Returns the item with the least key, the first of several, and its key. O(log n).
     #[inline]
     pub fn first(&self) -> Option<(usize, u32)> {
         let mut at = 0;

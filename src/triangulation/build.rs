@@ -1,32 +1,34 @@
-//! From a face list to a triangulation, or why not.
+//! From a face list to a triangulation, or to the survey that says why there is none.
 //!
 //! Linear time without hashing: corners are gathered by vertex (counting sort), and round each
 //! vertex an array over all vertices remembers which half-edge leads where. A mesh that breaks a
-//! law is given up at the first sign and handed to the slower, exhaustive [`Survey`].
+//! law is given up at the first sign and left to the slower, exhaustive [`Survey`].
 
 use super::laws::is_too_large;
-use super::{HalfEdgeId, Id, IdVec, Side, Survey, Triangulation, VertexId};
+use super::{HalfEdgeId, IdVec, Side, Survey, Triangulation, VertexId};
+use crate::disjoint_sets::DisjointSets;
 use crate::mesh::Mesh;
 
 impl Triangulation {
     /// Checks every law of Definition 2.2 on `list` and builds the half-edge structure.
     ///
     /// # Errors
-    /// The survey of the mesh, with all laws that it breaks and where.
+    /// The survey of the mesh, which lists every broken law with a place.
     ///
     /// # Cost
-    /// O(n) time but for the count of components, O(n log n) in the worst case and linear in practice;
-    /// no hashing. 40 bytes a triangle while it runs and 24 afterwards, the list not counted.
+    /// O(n) time but for the count of components, O(n log n) in the worst case and linear in
+    /// practice; no hashing. 40 bytes a triangle while it runs and 24 afterwards, the list not
+    /// counted.
     pub fn build(list: &Mesh) -> Result<Self, Box<Survey>> {
         try_build(list).ok_or_else(|| {
-            let survey = Survey::of(list);
+            let survey = Survey::new(list);
             assert!(!survey.violations.is_empty(), "a mesh was refused that breaks no law");
             Box::new(survey)
         })
     }
 
-    /// Like [`Triangulation::build`]; if `flip_faces` and nothing is wrong but that neighbours
-    /// disagree on orientation, flips faces of `list` until they agree.
+    /// Builds like [`Triangulation::build`]. With `flip_faces`, faces of `list` are flipped first
+    /// if their orientation is all that is wrong.
     ///
     /// # Errors
     /// As for [`Triangulation::build`].
@@ -41,7 +43,7 @@ impl Triangulation {
     }
 }
 
-/// The triangulation, or `None` as soon as any law is seen to be broken.
+/// Builds the triangulation, or returns `None` at the first broken law.
 fn try_build(list: &Mesh) -> Option<Triangulation> {
     let corners = list.faces().corners();
     let vertices = list.positions().len();
@@ -90,7 +92,8 @@ impl Stars {
     }
 }
 
-/// Every half-edge with its twin, if the triangles are those of closed, oriented surfaces.
+/// Finds the twin of every half-edge, or `None` if the triangles are not those of closed, oriented
+/// surfaces.
 fn find_twins(corners: &[u32], stars: &Stars) -> Option<IdVec<HalfEdgeId, Side>> {
     let side = |&vertex| Side { origin: VertexId(vertex), twin: HalfEdgeId::NONE };
     let mut sides: IdVec<_, _> = corners.iter().map(side).collect::<Vec<_>>().into();
@@ -123,7 +126,7 @@ fn find_twins(corners: &[u32], stars: &Stars) -> Option<IdVec<HalfEdgeId, Side>>
     Some(sides)
 }
 
-/// Whether turning about the centre of `star` passes all its triangles, at least three.
+/// Returns whether turning about the centre of `star` passes all its triangles, at least three.
 fn is_one_fan(star: &[HalfEdgeId], sides: &IdVec<HalfEdgeId, Side>) -> bool {
     let Some(&first) = star.first() else { return true };
     let mut h = sides[first.prev()].twin;
@@ -136,31 +139,12 @@ fn is_one_fan(star: &[HalfEdgeId], sides: &IdVec<HalfEdgeId, Side>) -> bool {
     h == first && turned == star.len() && turned >= 3
 }
 
-/// Number of components: every triangle joins the sets of its corners.
+/// Counts components: every triangle joins the sets of its corners.
 fn count_components(corners: &[u32], vertices: usize, unreferenced: usize) -> usize {
-    let mut parent: Vec<u32> = (0..vertices as u32).collect();
+    let mut sets = DisjointSets::new(vertices);
     let mut components = vertices - unreferenced;
     for &[a, b, c] in corners.as_chunks::<3>().0 {
-        let first = root(&mut parent, a);
-        for other in [b, c] {
-            let (first, other) = (root(&mut parent, first), root(&mut parent, other));
-            if first != other {
-                parent[first.max(other) as usize] = first.min(other);
-                components -= 1;
-            }
-        }
+        components -= usize::from(sets.join(a, b)) + usize::from(sets.join(a, c));
     }
     components
-}
-
-/// The root of the set of `v`, with path halving.
-fn root(parent: &mut [u32], mut v: u32) -> u32 {
-    loop {
-        let up = parent[v as usize];
-        if up == v {
-            return v;
-        }
-        parent[v as usize] = parent[up as usize];
-        v = parent[v as usize];
-    }
 }

@@ -3,13 +3,12 @@
 //!
 //! A contraction rewrites nothing inside the two triangles that it removes: only the twins of the
 //! four half-edges round them change, and the origins of the spokes that move from one end to the
-//! other. The removed triangles thus remember their own surroundings, and one half-edge is all
-//! that a split needs. Departs from the paper, whose edge records have no counterpart here.
+//! other. The removed triangles thus keep their surroundings, and a split needs one half-edge only.
+//! Departs from the paper, whose edge records have no counterpart here.
 
-use super::expansion::ExpandingTriangulation;
-use super::star::Spokes;
+use super::spokes::Spokes;
 use super::surroundings::{Surroundings, join};
-use super::{HalfEdgeId, Id, IdVec, Side, TriangleId, Triangulation, VertexId};
+use super::{HalfEdgeId, IdVec, Side, TriangleId, Triangulation, VertexId, VertexSplit};
 
 /// A triangulation whose edges can be contracted, and the contractions undone last-in first-out.
 ///
@@ -19,16 +18,16 @@ use super::{HalfEdgeId, Id, IdVec, Side, TriangleId, Triangulation, VertexId};
 pub struct ShrinkingTriangulation {
     pub(super) sides: IdVec<HalfEdgeId, Side>,
     pub(super) star: IdVec<VertexId, Star>,
-    vertices: usize,
-    components: usize,
+    pub(super) vertices: usize,
+    pub(super) components: usize,
 }
 
-/// What is known of a vertex; side by side, as both change at once.
+/// Data of one vertex. Both are stored together because they change together.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Star {
-    /// Some half-edge that leaves the vertex; none for retired and unreferenced vertices.
+    /// A half-edge that leaves the vertex; none for retired and unreferenced vertices.
     pub(super) outgoing: HalfEdgeId,
-    /// Number of edges at the vertex; that of a retired vertex means nothing.
+    /// Number of edges at the vertex; undefined for a retired vertex.
     pub(super) degree: u32,
 }
 
@@ -36,7 +35,7 @@ impl Star {
     /// Nothing leaves the vertex.
     const LONELY: Self = Self { outgoing: HalfEdgeId::NONE, degree: 0 };
 
-    /// Half-edge `h` leaves it, too.
+    /// Counts half-edge `h`, which leaves the vertex.
     #[inline]
     fn add(&mut self, h: HalfEdgeId) {
         self.outgoing = h;
@@ -44,32 +43,19 @@ impl Star {
     }
 }
 
-/// Receipt of one contraction, undone last-in first-out; not `Clone`, so at most once.
-#[must_use = "without its receipt a contraction is permanent"]
-#[derive(Debug)]
-#[repr(transparent)]
-pub struct VertexSplit(pub(super) HalfEdgeId);
-
-impl VertexSplit {
-    /// The half-edge that was contracted, from the end that stayed to the end that went.
-    pub fn half_edge(&self) -> HalfEdgeId {
-        self.0
-    }
-}
-
-/// What is known of a contraction once it is done.
+/// Outcome of one contraction.
 pub(crate) struct Contraction {
     pub(crate) receipt: VertexSplit,
     /// The apexes of the two triangles that are gone.
     pub(crate) apexes: [VertexId; 2],
-    /// The half-edge to the second apex from the end that stayed, which has a new one: that to the first
-    /// is what it was.
+    /// The half-edge from the end that stayed to the second apex. It is a new one; that to the
+    /// first apex stays the same.
     pub(crate) spoke_to_second: HalfEdgeId,
 }
 
-impl ShrinkingTriangulation {
+impl From<Triangulation> for ShrinkingTriangulation {
     /// Takes a triangulation over, with all its ids. O(n).
-    pub fn of(triangulation: Triangulation) -> Self {
+    fn from(triangulation: Triangulation) -> Self {
         let Triangulation { sides, vertices, unreferenced, components } = triangulation;
         let mut star = IdVec::filled(Star::LONELY, vertices);
         for (h, side) in sides.as_slice().iter().enumerate() {
@@ -77,9 +63,11 @@ impl ShrinkingTriangulation {
         }
         Self { sides, star, vertices: vertices - unreferenced, components }
     }
+}
 
-    /// Copies a triangulation, with all its ids; sooner than to clone it and take that over. O(n).
-    pub fn copy_of(triangulation: &Triangulation) -> Self {
+impl From<&Triangulation> for ShrinkingTriangulation {
+    /// Copies a triangulation, with all its ids. O(n); faster than taking a clone over.
+    fn from(triangulation: &Triangulation) -> Self {
         let mut star = IdVec::filled(Star::LONELY, triangulation.vertices);
         let sides = triangulation.sides().iter().enumerate().map(|(h, &side)| {
             star[side.origin].add(HalfEdgeId::new(h));
@@ -92,43 +80,45 @@ impl ShrinkingTriangulation {
             components: triangulation.components,
         }
     }
+}
 
-    /// The vertex that half-edge `h` leaves.
+impl ShrinkingTriangulation {
+    /// Returns the vertex that half-edge `h` leaves.
     #[inline]
     pub fn origin(&self, h: HalfEdgeId) -> VertexId {
         self.sides[h].origin
     }
 
-    /// The vertex that half-edge `h` leads to.
+    /// Returns the vertex that half-edge `h` leads to.
     #[inline]
     pub fn destination(&self, h: HalfEdgeId) -> VertexId {
         self.sides[h.next()].origin
     }
 
-    /// The other side of the edge of `h`.
+    /// Returns the other side of the edge of `h`.
     #[inline]
     pub fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
         self.sides[h].twin
     }
 
-    /// Number of edges at `v`, which must not be retired.
+    /// Returns the number of edges at `v`, which must not be retired.
     #[inline]
     pub fn degree(&self, v: VertexId) -> u32 {
         self.star[v].degree
     }
 
-    /// Some half-edge that leaves `v`, or `None` if `v` is retired or in no triangle.
+    /// Returns a half-edge that leaves `v`, or `None` if `v` is retired or in no triangle.
     #[inline]
     pub fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.star[v].outgoing.some()
     }
 
-    /// Whether triangle `f` has not been removed by a contraction.
+    /// Returns whether triangle `f` has not been removed by a contraction.
     pub fn is_alive(&self, f: TriangleId) -> bool {
         f.half_edges().iter().all(|&h| self.star[self.origin(h)].outgoing != HalfEdgeId::NONE)
     }
 
-    /// The half-edges that leave `v`, clockwise. O(deg v).
+    /// Iterates over the half-edges that leave `v`, clockwise. O(deg v).
     ///
     /// # Panics
     /// If `v` is retired or in no triangle.
@@ -137,37 +127,39 @@ impl ShrinkingTriangulation {
         Spokes::round(&self.sides, first)
     }
 
-    /// The apexes of the two triangles at the edge of `h`: first that of the triangle of `h`.
+    /// Returns the apexes of the two triangles at the edge of `h`: first that of the triangle of
+    /// `h`.
     #[inline]
     pub fn apexes(&self, h: HalfEdgeId) -> [VertexId; 2] {
         [self.origin(h.prev()), self.origin(self.twin(h).prev())]
     }
 
-    /// The spokes of the destination of `h`, clockwise, but those to the origin of `h` and to the
-    /// apexes: the ones that contracting `h` moves.
+    /// Iterates over the spokes that contracting `h` moves, clockwise. They are the spokes of the
+    /// destination of `h` except those to its origin and to the apexes.
     #[inline]
     pub fn far_spokes(&self, h: HalfEdgeId) -> Spokes<'_> {
         let first = self.twin(h.next()).next();
         Spokes::between(&self.sides, first, self.twin(self.twin(h).prev()))
     }
 
-    /// Number of vertices left.
+    /// Returns the number of vertices left.
     pub fn vertex_count(&self) -> usize {
         self.vertices
     }
 
-    /// Number of vertices of the triangulation it began as; vertex ids are below it.
+    /// Returns the number of vertices of the triangulation it began as; vertex ids are below it.
     pub fn vertex_id_count(&self) -> usize {
         self.star.len()
     }
 
-    /// Number of half-edges of the triangulation it began as; half-edge ids are below it.
+    /// Returns the number of half-edges of the triangulation it began as; half-edge ids are below
+    /// it.
     pub fn half_edge_id_count(&self) -> usize {
         self.sides.len()
     }
 
-    /// Whether the component of the edge of `h` is a tetrahedron, whose edges cannot be contracted
-    /// although they satisfy the link condition: the ends have degree 3 and so has what they share.
+    /// Returns whether the component of the edge of `h` is a tetrahedron, whose edges cannot be
+    /// contracted although they satisfy the link condition. There both ends have degree 3.
     #[inline]
     pub fn is_in_tetrahedron(&self, h: HalfEdgeId) -> bool {
         self.star[self.origin(h)].degree == 3 && self.star[self.destination(h)].degree == 3
@@ -177,17 +169,17 @@ impl ShrinkingTriangulation {
     /// triangles at the edge. O(deg v) for the vertex v that goes.
     ///
     /// # Panics
-    /// In debug builds, if the edge is retired or its component is a tetrahedron. The link
-    /// condition is the caller's to know: without it the result is no triangulation.
+    /// In debug builds, if the edge is retired or its component is a tetrahedron. The caller must
+    /// have checked the link condition: without it the result is no triangulation.
     pub fn contract(&mut self, h: HalfEdgeId) -> VertexSplit {
-        let e = Surroundings::of(&self.sides, h);
+        let e = Surroundings::new(&self.sides, h);
         let centre = self.origin(h);
         e.move_spokes(&mut self.sides, centre);
         self.close(h, &e).receipt
     }
 
-    /// Like [`ShrinkingTriangulation::contract`], for who knows already which are the far spokes of
-    /// `h`.
+    /// Contracts like [`ShrinkingTriangulation::contract`], for callers that already have the far
+    /// spokes of `h`.
     #[inline]
     pub(crate) fn contract_with(
         &mut self,
@@ -196,7 +188,7 @@ impl ShrinkingTriangulation {
     ) -> Contraction {
         let centre = self.origin(h);
         far_spokes.for_each(|spoke| self.sides[spoke].origin = centre);
-        self.close(h, &Surroundings::of(&self.sides, h))
+        self.close(h, &Surroundings::new(&self.sides, h))
     }
 
     /// Contracts the edge of `h`, whose far spokes have been moved already.
@@ -224,10 +216,10 @@ impl ShrinkingTriangulation {
     /// bit what they were. O(deg v).
     ///
     /// # Panics
-    /// In debug builds, if a later contraction has not been undone yet and shows.
+    /// In debug builds, if a later contraction of the neighbourhood has not been undone.
     pub fn split(&mut self, receipt: VertexSplit) {
         let VertexSplit(h) = receipt;
-        let e = Surroundings::of(&self.sides, h);
+        let e = Surroundings::new(&self.sides, h);
         let degree = e.split(&mut self.sides);
         let (u, v) = (self.origin(h), self.origin(e.hp));
         let (x, y) = (self.origin(e.b), self.origin(e.d));
@@ -242,29 +234,15 @@ impl ShrinkingTriangulation {
         self.vertices += 1;
     }
 
-    /// The spokes that the contraction of `receipt`, the last one, has moved to the end that stayed:
-    /// those to all former neighbours of the vertex that went, but the other end and the apexes.
+    /// Iterates over the spokes that the last contraction, that of `receipt`, has moved to the end
+    /// that stayed.
     pub fn moved_spokes(&self, receipt: &VertexSplit) -> Spokes<'_> {
-        // The triangles at the edge, though removed, still know what surrounds them.
+        // The removed triangles at the edge still hold their surroundings.
         self.far_spokes(receipt.0)
     }
 
-    /// The same, to be expanded without asking anything of vertices. O(1).
-    pub(crate) fn into_expanding(self) -> ExpandingTriangulation {
-        let Self { sides, star, vertices, components } = self;
-        ExpandingTriangulation { sides, vertex_ids: star.len(), vertices, components }
-    }
-
-    /// The triangulation that it began as, when every contraction has been undone. O(1).
-    ///
-    /// # Panics
-    /// In debug builds, if a contraction has not been undone.
-    pub fn into_triangulation(self) -> Triangulation {
-        self.into_expanding().into_triangulation()
-    }
-
-    /// The vertices that are left, in order, and the triangulation that they and the triangles that
-    /// are left form, both renumbered in order. O(n + m log m) for m triangles left.
+    /// Returns the vertices that are left, in order, and the triangulation that they and the
+    /// triangles that are left form, both renumbered in order. O(n + m log m) for m triangles left.
     pub fn survivors(&self) -> (Vec<VertexId>, Triangulation) {
         let alive = |&v: &VertexId| self.star[v].outgoing != HalfEdgeId::NONE;
         let survivors: Vec<VertexId> = self.star.ids().filter(alive).collect();
@@ -291,8 +269,8 @@ impl ShrinkingTriangulation {
         (survivors, triangulation)
     }
 
-    /// The triangles round `vertices`, in order: few where few are left, so that not all those that
-    /// are gone have to be looked at. O(m log m) for m of them.
+    /// Returns the triangles round `vertices`, in order. Removed triangles are not visited. O(m log
+    /// m) for m triangles.
     fn triangles_round(&self, vertices: &[VertexId]) -> Vec<TriangleId> {
         let spokes = vertices.iter().flat_map(|&v| self.spokes(v));
         let first_sides = spokes.filter(|h| h.0.is_multiple_of(3));

@@ -1,4 +1,4 @@
-//! Vertex splits, where nothing is asked of vertices.
+//! Vertex splits on half-edges alone; no per-vertex data is kept.
 
 use super::surroundings::Surroundings;
 use super::{
@@ -15,16 +15,16 @@ pub(crate) struct ExpandingTriangulation {
     pub(super) components: usize,
 }
 
-/// What tells how half-edges hang together, in triangulations of several kinds.
-pub(crate) trait Links {
-    /// The vertex that half-edge `h` leaves.
+/// Read access to half-edge connectivity, common to all triangulation types.
+pub(crate) trait Connectivity {
+    /// Returns the vertex that half-edge `h` leaves.
     fn origin(&self, h: HalfEdgeId) -> VertexId;
 
-    /// The other side of the edge of `h`.
+    /// Returns the other side of the edge of `h`.
     fn twin(&self, h: HalfEdgeId) -> HalfEdgeId;
 }
 
-impl Links for ExpandingTriangulation {
+impl Connectivity for ExpandingTriangulation {
     #[inline]
     fn origin(&self, h: HalfEdgeId) -> VertexId {
         self.sides[h].origin
@@ -36,7 +36,7 @@ impl Links for ExpandingTriangulation {
     }
 }
 
-impl Links for ShrinkingTriangulation {
+impl Connectivity for ShrinkingTriangulation {
     #[inline]
     fn origin(&self, h: HalfEdgeId) -> VertexId {
         self.origin(h)
@@ -48,26 +48,42 @@ impl Links for ShrinkingTriangulation {
     }
 }
 
+impl ShrinkingTriangulation {
+    /// Drops the per-vertex data, so that only vertex splits remain possible. O(1).
+    pub(crate) fn into_expanding(self) -> ExpandingTriangulation {
+        let Self { sides, star, vertices, components } = self;
+        ExpandingTriangulation { sides, vertex_ids: star.len(), vertices, components }
+    }
+
+    /// Returns the triangulation that it began as, when every contraction has been undone. O(1).
+    ///
+    /// # Panics
+    /// In debug builds, if a contraction has not been undone.
+    pub fn into_triangulation(self) -> Triangulation {
+        self.into_expanding().into_triangulation()
+    }
+}
+
 impl ExpandingTriangulation {
-    /// Number of half-edges when every contraction has been undone; ids are below it.
+    /// Returns the number of half-edges when every contraction has been undone; ids are below it.
     pub(crate) fn half_edge_id_count(&self) -> usize {
         self.sides.len()
     }
 
-    /// Number of vertices when every contraction has been undone, with those that no triangle uses;
-    /// ids are below it.
+    /// Returns the number of vertices when every contraction has been undone, with those that no
+    /// triangle uses; ids are below it.
     pub(crate) fn vertex_id_count(&self) -> usize {
         self.vertex_ids
     }
 
-    /// What surrounds the edge of the last contraction that has not been undone.
+    /// Returns the surroundings of the edge of the last contraction that has not been undone.
     #[inline]
     pub(crate) fn surroundings(&self, receipt: &VertexSplit) -> Surroundings {
-        Surroundings::of(&self.sides, receipt.half_edge())
+        Surroundings::new(&self.sides, receipt.half_edge())
     }
 
-    /// Like [`ExpandingTriangulation::surroundings`], where edges have been flipped since: `moved` says
-    /// where what was half-edge `g` at the contraction, on no flipped edge, is now if it has moved.
+    /// Returns the surroundings where edges have been flipped since the contraction. `moved` maps a
+    /// half-edge of that time, on no flipped edge, to its present place if it has moved.
     #[inline]
     pub(crate) fn surroundings_among_flips(
         &mut self,
@@ -85,8 +101,8 @@ impl ExpandingTriangulation {
         e
     }
 
-    /// Undoes the last contraction that has not been undone, given what surrounds its edge, and says
-    /// what degree the vertex has that comes back. O(that degree).
+    /// Undoes the last contraction that has not been undone, given the surroundings of its edge.
+    /// Returns the degree of the vertex that comes back. O(that degree).
     #[inline]
     pub(crate) fn split(&mut self, receipt: VertexSplit, e: &Surroundings) -> u32 {
         debug_assert_eq!(receipt.half_edge(), e.h);
@@ -94,7 +110,7 @@ impl ExpandingTriangulation {
         e.split(&mut self.sides)
     }
 
-    /// The triangulation that it began as, when every contraction has been undone. O(1).
+    /// Returns the triangulation that it began as, when every contraction has been undone. O(1).
     ///
     /// # Panics
     /// In debug builds, if a contraction has not been undone.
@@ -109,7 +125,8 @@ impl ExpandingTriangulation {
         }
     }
 
-    /// Number of vertices that a half-edge leaves, those of removed triangles among them. O(n).
+    /// Returns the number of vertices that a half-edge leaves, those of removed triangles among
+    /// them. O(n).
     fn vertices_in_use(&self) -> usize {
         let mut in_use = IdVec::<VertexId, bool>::filled(false, self.vertex_ids);
         self.sides.as_slice().iter().for_each(|side| in_use[side.origin] = true);
@@ -121,14 +138,14 @@ impl ExpandingTriangulation {
 mod tests {
     use crate::irreducible::{Discipline, ramaswami_siqueira};
     use crate::samples::{surfaces, triangulation};
-    use crate::triangulation::{Id, ShrinkingTriangulation, VertexId};
+    use crate::triangulation::{ShrinkingTriangulation, VertexId};
 
     #[test]
     fn splits_are_those_of_a_shrinking_triangulation() {
         for surface in surfaces(20, 61) {
             let input = triangulation(&surface);
             let [one, other] = [(); 2].map(|()| {
-                let k = ShrinkingTriangulation::of(input.clone());
+                let k = ShrinkingTriangulation::from(input.clone());
                 let order = (0..k.vertex_id_count()).map(VertexId::new);
                 ramaswami_siqueira(k, order, Discipline::FirstInFirstOut)
             });
@@ -150,7 +167,7 @@ mod tests {
     #[should_panic(expected = "a contraction is not undone")]
     fn what_is_still_contracted_is_no_triangulation() {
         let mut k =
-            ShrinkingTriangulation::of(triangulation(&triquad_generators::classic::octahedron()));
+            ShrinkingTriangulation::from(triangulation(&triquad_generators::classic::octahedron()));
         let edge = k.outgoing(VertexId::new(0)).unwrap();
         let _ = k.contract(edge);
         k.into_triangulation();

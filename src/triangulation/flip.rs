@@ -1,34 +1,34 @@
 //! Edge flips (Lemos et al., Definition 3.3), each edge at most once.
 //!
-//! Half-edges are named by their places, so a flip has to move two of them into the other triangle,
-//! and who knows half-edges by their names of before must look for them.
+//! Half-edges are named by their places, so a flip moves two of them into the other triangle.
+//! Callers holding half-edge ids from before the flip must translate them (see [`Displacements`]).
 //! Departs from the paper, which marks flipped edges and derives the flipped triangulation from the
-//! marks: flips are not independent, as two flipped edges may share a triangle, so they are made one
-//! after the other.
+//! marks: flips are not independent, as two flipped edges may share a triangle, so they are made
+//! one after the other.
 
 use super::{
-    ExpandingTriangulation, HalfEdgeId, Id, IdVec, ShrinkingTriangulation, Side, Triangulation,
+    ExpandingTriangulation, HalfEdgeId, IdVec, ShrinkingTriangulation, Side, Triangulation,
 };
 use crate::prefetch::prefetch;
 
-/// Where half-edges are that have made way for flipped edges. 12 bytes a triangle.
+/// Present places of half-edges that have made way for flipped edges. 12 bytes a triangle.
 #[derive(Clone, Debug)]
-pub(crate) struct Places {
+pub(crate) struct Displacements {
     /// For a place taken by a flipped edge, where what it displaced there first has gone, plus one;
     /// zero for other places. No other edge ever comes to a place that a flipped edge has taken.
     moved: Vec<u32>,
 }
 
-impl Places {
-    /// All `half_edges` half-edges are where they belong. O(n).
+impl Displacements {
+    /// Makes the table for `half_edges` half-edges, none of them moved. O(n).
     pub(crate) fn new(half_edges: usize) -> Self {
         Self { moved: vec![0; half_edges] }
     }
 
-    /// Where the half-edge is now that was `h` at first, whose edge has not been flipped. O(1), but
-    /// where many edges have been flipped.
+    /// Returns the present place of the half-edge that was `h` at first and whose edge has not been
+    /// flipped. O(1) unless many edges nearby have been flipped.
     #[inline]
-    pub(crate) fn of(&self, h: HalfEdgeId) -> HalfEdgeId {
+    pub(crate) fn current(&self, h: HalfEdgeId) -> HalfEdgeId {
         let mut at = h;
         while self.moved[at.index()] != 0 {
             at = HalfEdgeId(self.moved[at.index()] - 1);
@@ -36,18 +36,18 @@ impl Places {
         at
     }
 
-    /// Has the cache fetch what is known of the place of `h`.
+    /// Prefetches the entry of `h`.
     #[inline]
     pub(crate) fn prefetch(&self, h: HalfEdgeId) {
         prefetch(&self.moved, h.index());
     }
 
-    /// Follows the flip of an edge that had not been flipped before.
+    /// Records the flip of an edge that had not been flipped before.
     #[inline]
     pub(crate) fn follow(&mut self, moves: &Moves) {
         for (from, to) in moves[..2].iter().copied() {
             let moved = &mut self.moved[from.index()];
-            // Where a flipped edge was already, nothing is looked for.
+            // A place that a flipped edge already had is never translated.
             if *moved == 0 {
                 *moved = to.0 + 1;
             }
@@ -55,16 +55,16 @@ impl Places {
     }
 }
 
-/// What a flip has moved, from where and where to: first the two sides that are in the other
-/// triangle now, then both sides of the edge.
+/// Moves of one flip, each from a place to a place. First come the two sides that change triangles,
+/// then both sides of the edge.
 pub(crate) type Moves = [(HalfEdgeId, HalfEdgeId); 4];
 
 impl Triangulation {
-    /// Flips the edge at `s`: the two triangles at it form a quadrilateral, and it becomes the other
-    /// diagonal. Four flips give the same triangles, each beginning with another corner.
+    /// Flips the edge at `s`: the two triangles at it form a quadrilateral, and it becomes the
+    /// other diagonal. Four flips give the same triangles, each beginning with another corner.
     ///
     /// The result is a triangulation if both ends have more than three edges and the other diagonal
-    /// is no edge yet: the caller's to know. O(1).
+    /// is no edge yet. The caller must ensure that. O(1).
     ///
     /// # Panics
     /// In debug builds, if the flip would make a loop.
@@ -74,14 +74,14 @@ impl Triangulation {
 }
 
 impl ExpandingTriangulation {
-    /// Like [`Triangulation::flip`], for an edge that is not contracted.
+    /// Flips like [`Triangulation::flip`], for an edge that is not contracted.
     pub(crate) fn flip(&mut self, s: HalfEdgeId) -> Moves {
         flip(&mut self.sides, s)
     }
 }
 
 impl ShrinkingTriangulation {
-    /// Like [`Triangulation::flip`], for an edge that is not contracted.
+    /// Flips like [`Triangulation::flip`], for an edge that is not contracted.
     pub(crate) fn flip(&mut self, s: HalfEdgeId) -> Moves {
         let t = self.twin(s);
         let [a, b] = [s, t].map(|side| self.origin(side));

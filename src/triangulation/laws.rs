@@ -3,8 +3,9 @@
 use std::fmt;
 
 use crate::mesh::MAX_CORNERS;
+use crate::names::named;
 
-/// Whether there are more vertices or corners than 32-bit ids can name.
+/// Returns whether there are more vertices or corners than 32-bit ids can name.
 pub(super) fn is_too_large(vertices: usize, corners: usize) -> bool {
     corners > MAX_CORNERS || vertices >= u32::MAX as usize
 }
@@ -40,7 +41,23 @@ pub enum Law {
 }
 
 impl Law {
-    /// The name used in JSON and messages.
+    /// All laws, in the order in which they are reported.
+    pub const ALL: [Self; 12] = [
+        Self::NotEmpty,
+        Self::NotTooLarge,
+        Self::IndexInRange,
+        Self::FiniteCoordinate,
+        Self::Triangle,
+        Self::DistinctCorners,
+        Self::DistinctFaces,
+        Self::AtMostTwoFaces,
+        Self::NoBoundary,
+        Self::Orientable,
+        Self::ConsistentOrientation,
+        Self::OneFan,
+    ];
+
+    /// Returns the name used in JSON and messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::NotEmpty => "empty-mesh",
@@ -58,7 +75,7 @@ impl Law {
         }
     }
 
-    /// What is wrong with an element that breaks the law.
+    /// Returns the complaint about an element that breaks the law.
     fn complaint(self) -> &'static str {
         match self {
             Self::NotEmpty => "has no faces",
@@ -76,7 +93,7 @@ impl Law {
         }
     }
 
-    /// What the user can do about it.
+    /// Returns the remedy, as an instruction to the user.
     pub fn remedy(self) -> &'static str {
         match self {
             Self::NotEmpty => "check that the file is a mesh and was exported with faces",
@@ -99,8 +116,15 @@ impl Law {
     }
 }
 
+named!(Law, "law", name);
+
 /// An element of a mesh; displayed with numbers that count from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Element {
     /// The mesh as a whole.
     Mesh,
@@ -125,6 +149,8 @@ impl fmt::Display for Element {
 
 /// A broken law: the first element that breaks it, and how many do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Violation {
     /// The law.
     pub law: Law,
@@ -147,6 +173,26 @@ impl fmt::Display for Violation {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn laws_are_read_back_as_they_are_written() {
+        assert!(Law::ALL.is_sorted());
+        for law in Law::ALL {
+            assert_eq!(law.to_string().parse(), Ok(law));
+        }
+        let refusal = "planar".parse::<Law>().unwrap_err();
+        assert_eq!(refusal.known, Law::ALL.map(Law::name));
+    }
+
+    #[cfg(feature = "serde")]
+    #[test]
+    fn violations_are_plain_json() {
+        let element = Element::Edge(3, 4);
+        let violation = Violation { law: Law::NoBoundary, element, count: 2 };
+        let json = r#"{"law":"boundary-edge","element":{"edge":[3,4]},"count":2}"#;
+        assert_eq!(serde_json::to_string(&violation).unwrap(), json);
+        assert_eq!(serde_json::from_str::<Violation>(json).unwrap(), violation);
+    }
 
     #[test]
     fn ids_bound_the_size_of_a_mesh() {

@@ -29,9 +29,10 @@ pub(crate) struct Surroundings {
 }
 
 impl Surroundings {
-    /// Read from the two triangles at the edge of `h`, so that it is the same before and after.
+    /// Reads the surroundings from the two triangles at the edge of `h`. They are the same before
+    /// and after a contraction.
     #[inline]
-    pub(super) fn of(sides: &IdVec<HalfEdgeId, Side>, h: HalfEdgeId) -> Self {
+    pub(super) fn new(sides: &IdVec<HalfEdgeId, Side>, h: HalfEdgeId) -> Self {
         let hp = sides[h].twin;
         let (a, b) = (h.next(), h.prev());
         let (c, d) = (hp.next(), hp.prev());
@@ -39,7 +40,7 @@ impl Surroundings {
         Self { h, hp, a, b, c, d, ta, tb, tc, td }
     }
 
-    /// Hangs the spokes of v, but those to u, x and y, on `centre`; says how many there are.
+    /// Moves the spokes of v, except those to u, x and y, to `centre`. Returns their number.
     #[inline]
     pub(super) fn move_spokes(&self, sides: &mut IdVec<HalfEdgeId, Side>, centre: VertexId) -> u32 {
         let mut moved = 0;
@@ -52,8 +53,7 @@ impl Surroundings {
         moved
     }
 
-    /// Undoes the contraction of the edge, as far as half-edges go: gives v its spokes and the two
-    /// triangles their places back, and says what degree v has. O(deg v).
+    /// Undoes the contraction of the edge on half-edges. Returns the degree of v. O(deg v).
     #[inline]
     pub(super) fn split(&self, sides: &mut IdVec<HalfEdgeId, Side>) -> u32 {
         debug_assert!(

@@ -1,20 +1,22 @@
 //! All laws that a mesh breaks, and its counts, whatever state the mesh is in.
 //!
-//! Works on polygons of any size and assumes nothing: edges are found by sorting, sides and fans
-//! by disjoint sets. O(n log n); meshes that are all right never come here.
+//! Works on polygons of any size and assumes nothing: edges are found by sorting, orientation and
+//! fans by disjoint sets. O(n log n); not used for valid meshes.
 
 use super::laws::{Element, Law, Violation, is_too_large};
-use crate::disjoint_sets::ParitySets;
+use crate::disjoint_sets::{DisjointSets, ParitySets};
 use crate::mesh::Mesh;
 
-/// Counts and broken laws of a mesh that may be anything.
+/// Counts and broken laws of an arbitrary, possibly invalid mesh.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Survey {
     /// Vertices that some face uses.
     pub vertices: usize,
     /// Vertices that no face uses.
     pub unreferenced_vertices: usize,
-    /// Edges of all faces with distinct, existing corners.
+    /// SidesByEdge of all faces with distinct, existing corners.
     pub edges: usize,
     /// Faces of any number of corners.
     pub faces: usize,
@@ -39,7 +41,7 @@ pub struct Survey {
 impl std::error::Error for Survey {}
 
 impl std::fmt::Display for Survey {
-    /// The first broken law.
+    /// Writes the first broken law.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.violations.first() {
             Some(violation) => violation.fmt(f),
@@ -50,23 +52,24 @@ impl std::fmt::Display for Survey {
 
 impl Survey {
     /// Examines every face, edge and vertex of `list`. O(n log n) time, about 100 bytes a triangle.
-    pub fn of(list: &Mesh) -> Self {
+    pub fn new(list: &Mesh) -> Self {
         let mut violations = Violations::default();
         if is_too_large(list.positions().len(), list.faces().corners().len()) {
-            // Nothing below can count so far; the counts are those of an empty mesh.
-            let mut survey = Self::of(&Mesh::default());
+            // 32-bit counters are too small for such a mesh, so the counts are those of an empty
+            // one.
+            let mut survey = Self::new(&Mesh::default());
             survey.violations =
                 vec![Violation { law: Law::NotTooLarge, element: Element::Mesh, count: 1 }];
             return survey;
         }
         let sound = sound_faces(list, &mut violations);
         find_duplicates(list, &sound, &mut violations);
-        let edges = Edges::gather(list, &sound);
+        let edges = SidesByEdge::gather(list, &sound);
         edges.check_degrees(&mut violations);
-        let sides = Sides::of(list, &edges, &mut violations);
+        let sides = Orientation::new(list, &edges, &mut violations);
         check_fans(list, &edges, &mut violations);
 
-        let connected = Connected::of(list, &sound, &edges);
+        let connected = Connected::new(list, &sound, &edges);
         let degenerate = sound.iter().filter(|sound| !**sound).count();
         let counted_faces = list.faces().len() - degenerate;
         let edge_count = edges.groups().count();
@@ -104,7 +107,7 @@ impl Survey {
         }
     }
 
-    /// Whether flipping faces would mend everything that is wrong.
+    /// Returns whether flipping faces would mend everything that is wrong.
     pub fn only_orientation_is_wrong(&self) -> bool {
         self.violations.iter().all(|violation| violation.law == Law::ConsistentOrientation)
     }
@@ -132,8 +135,8 @@ impl Violations {
     }
 }
 
-/// Checks vertices and faces one by one; tells which faces have at least three distinct, existing
-/// corners, so that the surface can be studied without the others.
+/// Checks vertices and faces one by one. Returns for each face whether it has at least three
+/// distinct, existing corners; only such faces are studied further.
 fn sound_faces(list: &Mesh, violations: &mut Violations) -> Vec<bool> {
     if list.faces().is_empty() {
         violations.add(Law::NotEmpty, Element::Mesh);
@@ -199,7 +202,7 @@ fn find_duplicates(list: &Mesh, sound: &[bool], violations: &mut Violations) {
 
 /// One side of an edge: corner `from` of a face and the next corner `to` of the same face.
 #[derive(Clone, Copy)]
-struct Side {
+struct FaceSide {
     low: u32,
     high: u32,
     /// Positions in the list of all corners.
@@ -209,9 +212,9 @@ struct Side {
 }
 
 /// All sides of sound faces, those of the same edge next to each other.
-struct Edges(Vec<Side>);
+struct SidesByEdge(Vec<FaceSide>);
 
-impl Edges {
+impl SidesByEdge {
     fn gather(list: &Mesh, sound: &[bool]) -> Self {
         let corners = list.faces().corners();
         let mut sides = Vec::with_capacity(corners.len());
@@ -221,20 +224,26 @@ impl Edges {
                 let to = if from + 1 == range.end { range.start } else { from + 1 };
                 let (a, b) = (corners[from], corners[to]);
                 let (low, high) = (a.min(b), a.max(b));
-                sides.push(Side { low, high, from: from as u32, to: to as u32, face: face as u32 });
+                sides.push(FaceSide {
+                    low,
+                    high,
+                    from: from as u32,
+                    to: to as u32,
+                    face: face as u32,
+                });
             }
         }
         sides.sort_unstable_by_key(|side| (side.low, side.high, side.from));
         Self(sides)
     }
 
-    /// The sides of each edge.
-    fn groups(&self) -> impl Iterator<Item = &[Side]> {
+    /// Iterates over the sides of each edge.
+    fn groups(&self) -> impl Iterator<Item = &[FaceSide]> {
         self.0.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high))
     }
 
     /// Pairs of sides of the edges that belong to exactly two faces.
-    fn pairs(&self) -> impl Iterator<Item = (&Side, &Side)> {
+    fn pairs(&self) -> impl Iterator<Item = (&FaceSide, &FaceSide)> {
         self.groups().filter_map(|group| match group {
             [one, other] => Some((one, other)),
             _ => None,
@@ -243,7 +252,7 @@ impl Edges {
 
     /// Reports edges with one face or more than two, those of the lowest face first.
     fn check_degrees(&self, violations: &mut Violations) {
-        let mut broken: Vec<&[Side]> = self.groups().filter(|group| group.len() != 2).collect();
+        let mut broken: Vec<&[FaceSide]> = self.groups().filter(|group| group.len() != 2).collect();
         broken.sort_unstable_by_key(|group| group[0].from);
         for group in broken {
             let law = if group.len() == 1 { Law::NoBoundary } else { Law::AtMostTwoFaces };
@@ -252,16 +261,17 @@ impl Edges {
     }
 }
 
-/// Which faces lie on which side of the surface.
-struct Sides {
+/// Faces to flip so that neighbours agree.
+struct Orientation {
     faces_to_flip: Vec<usize>,
 }
 
-impl Sides {
-    fn of(list: &Mesh, edges: &Edges, violations: &mut Violations) -> Self {
+impl Orientation {
+    fn new(list: &Mesh, edges: &SidesByEdge, violations: &mut Violations) -> Self {
         let corners = list.faces().corners();
-        let agree =
-            |one: &Side, other: &Side| corners[one.from as usize] != corners[other.from as usize];
+        let agree = |one: &FaceSide, other: &FaceSide| {
+            corners[one.from as usize] != corners[other.from as usize]
+        };
         let mut sets = ParitySets::new(list.faces().len());
         let mut twisted = Vec::new();
         let mut disagreeing = Vec::new();
@@ -291,7 +301,7 @@ impl Sides {
     }
 }
 
-/// In each set the faces of the rarer parity; on a tie those unlike the first face.
+/// Returns in each set the faces of the rarer parity, or on a tie those unlike the first face.
 fn fewest_flips(sets: &mut ParitySets, faces: usize) -> Vec<usize> {
     let mut balance = vec![0i64; faces];
     for face in 0..faces as u32 {
@@ -315,22 +325,22 @@ fn fewest_flips(sets: &mut ParitySets, faces: usize) -> Vec<usize> {
 }
 
 /// Reports vertices whose faces, joined across edges of two faces, form more than one fan.
-fn check_fans(list: &Mesh, edges: &Edges, violations: &mut Violations) {
+fn check_fans(list: &Mesh, edges: &SidesByEdge, violations: &mut Violations) {
     let corners = list.faces().corners();
     let vertex = |corner: u32| corners[corner as usize];
-    let mut fans = ParitySets::new(corners.len());
+    let mut fans = DisjointSets::new(corners.len());
     for (one, other) in edges.pairs() {
         let (first, second) = if vertex(one.from) == vertex(other.from) {
             (other.from, other.to)
         } else {
             (other.to, other.from)
         };
-        fans.join(one.from, first, false);
-        fans.join(one.to, second, false);
+        fans.join(one.from, first);
+        fans.join(one.to, second);
     }
     let mut fan_count = vec![0u32; list.positions().len()];
     for side in &edges.0 {
-        if fans.find(side.from).0 == side.from {
+        if fans.find(side.from) == side.from {
             fan_count[vertex(side.from) as usize] += 1;
         }
     }
@@ -339,7 +349,7 @@ fn check_fans(list: &Mesh, edges: &Edges, violations: &mut Violations) {
     }
 }
 
-/// What hangs together.
+/// Connected components of faces and of boundaries.
 struct Connected {
     vertices: usize,
     components: usize,
@@ -347,26 +357,26 @@ struct Connected {
 }
 
 impl Connected {
-    fn of(list: &Mesh, sound: &[bool], edges: &Edges) -> Self {
+    fn new(list: &Mesh, sound: &[bool], edges: &SidesByEdge) -> Self {
         let count = list.positions().len();
         let mut used = vec![false; count];
-        let mut sets = ParitySets::new(count);
+        let mut sets = DisjointSets::new(count);
         for face in (0..sound.len()).filter(|&face| sound[face]) {
             let corners = list.faces().get(face);
             for &v in corners {
                 used[v as usize] = true;
-                sets.join(corners[0], v, false);
+                sets.join(corners[0], v);
             }
         }
-        let mut boundary = ParitySets::new(count);
+        let mut boundary = DisjointSets::new(count);
         let mut on_boundary = vec![false; count];
         for side in edges.groups().filter(|group| group.len() == 1).map(|group| &group[0]) {
-            boundary.join(side.low, side.high, false);
+            boundary.join(side.low, side.high);
             on_boundary[side.low as usize] = true;
             on_boundary[side.high as usize] = true;
         }
-        let roots = |sets: &mut ParitySets, member: &[bool]| {
-            (0..count as u32).filter(|&v| member[v as usize] && sets.find(v).0 == v).count()
+        let roots = |sets: &mut DisjointSets, member: &[bool]| {
+            (0..count as u32).filter(|&v| member[v as usize] && sets.find(v) == v).count()
         };
         Self {
             vertices: used.iter().filter(|used| **used).count(),

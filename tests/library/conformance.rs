@@ -6,7 +6,6 @@ use proptest::prelude::*;
 use triquad::clock::SteppingClock;
 use triquad::mesh::{Faces, Mesh};
 use triquad::pairing::lrs;
-use triquad::triangulation::Id;
 use triquad::{
     Algorithm, Augmentation, Converter, Expansion, Mismatch, Quadrangulated, Quadrangulation,
     Triangulation, check, check_retriangulation,

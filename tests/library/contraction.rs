@@ -6,11 +6,11 @@ use proptest::prelude::*;
 use triquad::Mesh;
 use triquad::Triangulation;
 use triquad::random::Random;
-use triquad::triangulation::{HalfEdgeId, Id, LinkMarks, ShrinkingTriangulation, VertexId};
+use triquad::triangulation::{HalfEdgeId, LinkMarks, ShrinkingTriangulation, VertexId};
 use triquad_generators::Surface;
 
 fn shrinking(surface: &Surface) -> ShrinkingTriangulation {
-    ShrinkingTriangulation::of(Triangulation::build(&crate::common::face_list(surface)).unwrap())
+    ShrinkingTriangulation::from(Triangulation::build(&crate::common::face_list(surface)).unwrap())
 }
 
 fn half_edges(k: &ShrinkingTriangulation) -> impl Iterator<Item = HalfEdgeId> {

@@ -1,7 +1,7 @@
 //! Dynamic trees and dynamic connectivity against naive ones, on random sequences of operations.
 
 use proptest::prelude::*;
-use triquad::dynamic::{Deletion, DynamicConnectivity, EulerTourForest, LinkCutForest, Mark};
+use triquad::dynamic::{Deletion, DynamicConnectivity, EulerTourForest, LinkCutForest, NodeMark};
 use triquad::random::Random;
 
 /// A graph as a set of edges; everything is found by walking.
@@ -225,14 +225,14 @@ fn run_euler_tour(nodes: u32, draws: &Draws) {
             3 => {
                 let which = (value % 2) as usize;
                 marked[a as usize][which] ^= true;
-                let mark = [Mark::Tree, Mark::NonTree][which];
+                let mark = [NodeMark::Tree, NodeMark::NonTree][which];
                 forest.set_mark(names[a as usize], mark, marked[a as usize][which]);
             }
             _ => {
                 let component = naive.component(a);
                 assert_eq!(forest.vertex_count(names[a as usize]) as usize, component.len());
                 assert_eq!(forest.is_alone(names[a as usize]), component.len() == 1);
-                for (which, mark) in [Mark::Tree, Mark::NonTree].into_iter().enumerate() {
+                for (which, mark) in [NodeMark::Tree, NodeMark::NonTree].into_iter().enumerate() {
                     let mut expected = component.clone();
                     expected.retain(|&v| marked[v as usize][which]);
                     expected.sort_unstable();

@@ -685,7 +685,7 @@ fn small_files() -> Vec<(Format, Vec<u8>)> {
 /// Reads `bytes` and does everything with the result that is done with any mesh.
 fn use_content(bytes: &[u8], format: Format) {
     let Ok(mut mesh) = Mesh::parse(bytes, format) else { return };
-    let survey = Survey::of(&mesh);
+    let survey = Survey::new(&mesh);
     assert_eq!(Triangulation::build(&mesh).is_ok(), survey.violations.is_empty());
     survey.orient(&mut mesh);
     mesh.triangulate();

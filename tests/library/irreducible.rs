@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use proptest::prelude::*;
 use triquad::Mesh;
 use triquad::Triangulation;
-use triquad::irreducible::{Discipline, Irreducible, Method, Order, ramaswami_siqueira};
+use triquad::irreducible::{Contractor, Discipline, Irreducible, Order, ramaswami_siqueira};
 use triquad::random::Random;
-use triquad::triangulation::{HalfEdgeId, Id, ShrinkingTriangulation, TriangleId, VertexId};
+use triquad::triangulation::{HalfEdgeId, ShrinkingTriangulation, TriangleId, VertexId};
 use triquad_generators::box_mesh::BoxShape;
 use triquad_generators::random::{Mix, random_surface};
 use triquad_generators::{Surface, classic, grids};
@@ -66,20 +66,20 @@ fn assert_irreducible(t: &Triangulation, result: &Irreducible, what: &str) {
 /// Makes `surface` irreducible by all methods and orders, and checks what they did.
 fn reduce_all(surface: &Surface, seed: u64, what: &str) {
     let t = build(surface);
-    for method in Method::ALL {
+    for contractor in Contractor::ALL {
         for order in [Order::File, Order::Random] {
-            let result = method.reduce(t.clone(), order, seed);
-            let what = format!("{what}, {method}, {order:?}");
+            let result = contractor.reduce(t.clone(), order, seed);
+            let what = format!("{what}, {contractor}, {order:?}");
             assert_irreducible(&t, &result, &what);
-            assert_counts(&t, method, &result, &what);
+            assert_counts(&t, contractor, &result, &what);
         }
     }
 }
 
-fn assert_counts(t: &Triangulation, method: Method, result: &Irreducible, what: &str) {
+fn assert_counts(t: &Triangulation, contractor: Contractor, result: &Irreducible, what: &str) {
     let (tests, repeated) =
         (result.counts.link_condition_tests, result.counts.edges_tested_more_than_once);
-    if method == Method::RamaswamiSiqueira {
+    if contractor == Contractor::RamaswamiSiqueira {
         assert_eq!(repeated, 0, "{what}");
         assert!(tests <= t.edge_count(), "{what}: {tests}");
     } else {
@@ -87,7 +87,7 @@ fn assert_counts(t: &Triangulation, method: Method, result: &Irreducible, what: 
         let left = result.triangulation.edge_count();
         assert!(tests >= result.contractions + left && repeated <= tests / 2, "{what}: {tests}");
     }
-    if method == Method::Schipper && t.genus() == 0 && t.component_count() == 1 {
+    if contractor == Contractor::Schipper && t.genus() == 0 && t.component_count() == 1 {
         // Each edge of the tetrahedron from both ends, and hardly any other.
         assert!((6..=9).contains(&repeated), "{what}: {repeated}");
         assert!((t.vertex_count() + 8..=t.vertex_count() + 40).contains(&tests), "{what}: {tests}");
@@ -131,11 +131,11 @@ fn every_component_becomes_irreducible() {
         );
     }
     let t = build(&all);
-    for method in Method::ALL {
-        let result = method.reduce(t.clone(), Order::File, 0);
-        assert_irreducible(&t, &result, method.id());
+    for contractor in Contractor::ALL {
+        let result = contractor.reduce(t.clone(), Order::File, 0);
+        assert_irreducible(&t, &result, contractor.id());
         let tetrahedra = neighbours(&result.triangulation).iter().filter(|n| n.len() == 3).count();
-        assert_eq!(tetrahedra, 4 * 3, "{method}");
+        assert_eq!(tetrahedra, 4 * 3, "{contractor}");
     }
 }
 
@@ -148,10 +148,10 @@ fn unreferenced_vertices_do_not_count() {
     for v in surface.triangles.as_flattened_mut() {
         *v += 2;
     }
-    for method in Method::ALL {
+    for contractor in Contractor::ALL {
         let t = build(&surface);
-        let result = method.reduce(t.clone(), Order::Random, 3);
-        assert_irreducible(&t, &result, method.id());
+        let result = contractor.reduce(t.clone(), Order::Random, 3);
+        assert_irreducible(&t, &result, contractor.id());
         let is_used = |v: &VertexId| (2..used as usize + 2).contains(&v.index());
         assert!(result.vertices.iter().all(is_used));
     }
@@ -206,8 +206,8 @@ fn tori_end_as_one_of_the_21_of_lavrenchenko() {
         let operations = random.below(60) as usize;
         let surface = random_surface(1, operations, mix, &mut |bound| random.below(bound));
         let t = build(&surface);
-        for method in Method::ALL {
-            let left = method.reduce(t.clone(), Order::File, round as u64).triangulation;
+        for contractor in Contractor::ALL {
+            let left = contractor.reduce(t.clone(), Order::File, round as u64).triangulation;
             assert!((7..=10).contains(&left.vertex_count()));
             counts[left.vertex_count()] += 1;
             forms[left.vertex_count()].insert(canonical_form(&left));
@@ -241,7 +241,7 @@ fn canonical_forms_do_not_depend_on_the_numbering() {
 fn schipper_tests_an_edge_again_where_there_are_handles() {
     let repeated = |genus| {
         let t = build(&crate::common::random_of(genus, 2000, Mix::Balanced, 4));
-        let result = Method::Schipper.reduce(t, Order::File, 0);
+        let result = Contractor::Schipper.reduce(t, Order::File, 0);
         result.counts.edges_tested_more_than_once
     };
     let [few, many] = [10, 40].map(repeated);
@@ -254,7 +254,7 @@ fn schipper_tests_an_edge_again_where_there_are_handles() {
 fn schipper_tests_a_regular_sphere_once() {
     let t = build(&grids::sphere(20));
     let vertices = t.vertex_count();
-    let counts = Method::Schipper.reduce(t, Order::File, 0).counts;
+    let counts = Contractor::Schipper.reduce(t, Order::File, 0).counts;
     assert_eq!(counts.link_condition_tests, vertices + 8);
     assert_eq!(counts.edges_tested_more_than_once, 6);
 }
@@ -285,10 +285,10 @@ fn high_degrees_and_long_tubes_take_linear_time() {
     for (name, surface) in surfaces {
         let t = build(&surface);
         for order in [Order::File, Order::Random] {
-            let result = Method::RamaswamiSiqueira.reduce(t.clone(), order, 0);
+            let result = Contractor::RamaswamiSiqueira.reduce(t.clone(), order, 0);
             assert_irreducible(&t, &result, name);
         }
-        let result = Method::Schipper.reduce(t.clone(), Order::File, 0);
+        let result = Contractor::Schipper.reduce(t.clone(), Order::File, 0);
         assert_irreducible(&t, &result, name);
     }
 }
@@ -298,16 +298,20 @@ fn high_degrees_and_long_tubes_take_linear_time() {
 #[test]
 fn the_seed_decides_what_is_left() {
     let t = build(&crate::common::random_of(3, 200, Mix::Balanced, 8));
-    let run = |method: Method, order, seed| {
-        let result = method.reduce(t.clone(), order, seed);
+    let run = |contractor: Contractor, order, seed| {
+        let result = contractor.reduce(t.clone(), order, seed);
         (result.vertices, corners(&result.triangulation), result.counts)
     };
-    for method in Method::ALL {
+    for contractor in Contractor::ALL {
         for order in [Order::File, Order::Random] {
-            assert_eq!(run(method, order, 5), run(method, order, 5));
-            let is_random = method == Method::BruteForce
-                || (method == Method::RamaswamiSiqueira && order == Order::Random);
-            assert_eq!(run(method, order, 5) != run(method, order, 6), is_random, "{method}");
+            assert_eq!(run(contractor, order, 5), run(contractor, order, 5));
+            let is_random = contractor == Contractor::BruteForce
+                || (contractor == Contractor::RamaswamiSiqueira && order == Order::Random);
+            assert_eq!(
+                run(contractor, order, 5) != run(contractor, order, 6),
+                is_random,
+                "{contractor}"
+            );
         }
     }
 }
@@ -316,8 +320,8 @@ fn the_seed_decides_what_is_left() {
 #[test]
 fn counts_are_what_they_were() {
     let t = build(&crate::common::random_of(2, 300, Mix::Balanced, 1));
-    let counts = Method::ALL.map(|method| {
-        let result = method.reduce(t.clone(), Order::File, 0);
+    let counts = Contractor::ALL.map(|contractor| {
+        let result = contractor.reduce(t.clone(), Order::File, 0);
         let counts = result.counts;
         (counts.link_condition_tests, counts.edges_tested_more_than_once, result.vertices.len())
     });
@@ -334,7 +338,7 @@ fn state(k: &ShrinkingTriangulation) -> Vec<(VertexId, HalfEdgeId)> {
 fn contract_and_expand(surface: &Surface, discipline: Discipline) -> usize {
     let t = build(surface);
     let all = (0..t.vertex_id_count()).map(VertexId::new);
-    let k = ShrinkingTriangulation::of(t.clone());
+    let k = ShrinkingTriangulation::from(t.clone());
     let before = state(&k);
     let reduction = ramaswami_siqueira(k, all, discipline);
     let mut k = reduction.triangulation;

@@ -78,7 +78,7 @@ fn many_random_surfaces_are_accepted_and_right() {
         let triangulation = Triangulation::build(&list).unwrap();
         assert_right(&triangulation, &surface);
         assert_eq!((triangulation.genus(), triangulation.component_count()), (genus, 1));
-        let survey = Survey::of(&list);
+        let survey = Survey::new(&list);
         assert_eq!((survey.violations.len(), survey.genus()), (0, Some(genus)));
         assert!(survey.closed && survey.orientable && survey.faces_to_flip.is_empty());
     }
@@ -332,7 +332,7 @@ proptest! {
     ) {
         // The quick builder and the exhaustive survey must agree on what is a triangulation.
         let list = Mesh::from_triangles(vec![[0.0; 3]; 7], triangles);
-        let survey = Survey::of(&list);
+        let survey = Survey::new(&list);
         prop_assert_eq!(Triangulation::build(&list).is_ok(), survey.violations.is_empty());
     }
 }

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use triquad::pairing::{pulli_segal, simple_greedy};
 use triquad::random::Random;
-use triquad::triangulation::{Id, TriangleId};
+use triquad::triangulation::TriangleId;
 use triquad::{Algorithm, Augmentation, DualGraph, Matching, Triangulation, make_maximum};
 
 type Edges = Vec<(u32, u32)>;

@@ -6,11 +6,11 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use triquad::irreducible::{Discipline, Method, Order, ramaswami_siqueira};
+use triquad::irreducible::{Contractor, Discipline, Order, ramaswami_siqueira};
 use triquad::pairing::lrs;
 use triquad::random::Random;
 use triquad::simplify::{Shape, Simplifier};
-use triquad::triangulation::{HalfEdgeId, Id, LinkMarks, ShrinkingTriangulation};
+use triquad::triangulation::{HalfEdgeId, LinkMarks, ShrinkingTriangulation};
 use triquad::{
     Algorithm, Converter, Expansion, Law, Mesh, Report, Survey, Triangulation, check,
     check_retriangulation,
@@ -108,7 +108,7 @@ fn converted(triangles: &Mesh, flip_faces: bool, algorithm: Algorithm, what: &st
     let quads = converted.mesh().clone();
     let mut oriented = triangles.clone();
     if flip_faces {
-        Survey::of(triangles).orient(&mut oriented);
+        Survey::new(triangles).orient(&mut oriented);
     }
     let paired = oriented.clone().with_faces(converted.triangles().clone());
     assert_eq!(paired.faces() == oriented.faces(), summary.edge_flips == 0, "{what}");
@@ -146,8 +146,8 @@ fn expansion_leaves_as_many_unpaired_as_the_irreducible_triangulation_has() {
     let Some(catalogue) = Catalogue::open() else { return };
     for entry in catalogue.in_folder("closed") {
         let triangulation = Triangulation::build(&catalogue.read(entry.file())).unwrap();
-        let k = ShrinkingTriangulation::of(triangulation.clone());
-        let order = Order::File.of(k.vertex_id_count(), &mut Random::stream(0, &[]));
+        let k = ShrinkingTriangulation::from(triangulation.clone());
+        let order = Order::File.vertex_ids(k.vertex_id_count(), &mut Random::stream(0, &[]));
         let irreducible = ramaswami_siqueira(k, order, Discipline::LastInFirstOut).triangulation;
         let left = irreducible.survivors().1.triangle_count();
         let genus = entry.count("genus");
@@ -171,7 +171,7 @@ fn every_closed_mesh_is_simplified_to_a_tenth() {
         let list = catalogue.read(file);
         let triangulation = Triangulation::build(&list).unwrap();
         let vertices = triangulation.vertex_count().div_ceil(10).max(60 * entry.count("genus"));
-        let largest_degree = Shape::of(&list).largest_degree;
+        let largest_degree = Shape::new(&list).largest_degree;
         let mut simplifier = Simplifier::new(triangulation, list.positions());
         // Far from the 26g - 4 vertices that an irreducible triangulation of genus g may have.
         let wanted = vertices.min(simplifier.vertex_count());
@@ -180,7 +180,7 @@ fn every_closed_mesh_is_simplified_to_a_tenth() {
         let built = Triangulation::build(&list).unwrap_or_else(|survey| panic!("{file}: {survey}"));
         assert_eq!(built, told, "{file}");
         assert_eq!((built.vertex_count(), built.genus()), (wanted, entry.count("genus")), "{file}");
-        let shape = Shape::of(&list);
+        let shape = Shape::new(&list);
         let angles = [shape.smallest_angle(), shape.largest_angle()];
         println!("{file}: {wanted} vertices, degree {}, {angles:.1?}", shape.largest_degree);
         assert!(shape.largest_degree <= largest_degree.max(12), "{file}: {shape:?}");
@@ -224,14 +224,14 @@ fn every_closed_mesh_becomes_irreducible() {
         let triangulation = Triangulation::build(&catalogue.read(entry.file())).unwrap();
         let genus = entry.count("genus");
         let mut tests = Vec::new();
-        for method in Method::ALL {
+        for method in Contractor::ALL {
             let what = format!("{} by {method}", entry.file());
             let result = method.reduce(triangulation.clone(), Order::File, 0);
             let left = &result.triangulation;
             assert_eq!((left.genus(), left.component_count()), (genus, 1), "{what}");
             let allowed = if genus == 0 { 4..=4 } else { 7..=26 * genus - 4 };
             assert!(allowed.contains(&left.vertex_count()), "{what}: {}", left.vertex_count());
-            let k = ShrinkingTriangulation::of(left.clone());
+            let k = ShrinkingTriangulation::from(left.clone());
             let mut marks = LinkMarks::new(left.vertex_count());
             let mut edges = (0..2 * left.edge_count()).map(HalfEdgeId::new);
             assert!(!edges.any(|h| k.is_contractible(h, &mut marks)), "{what}");
@@ -297,7 +297,7 @@ fn defective_meshes_that_can_be_mended_are_converted() {
 fn two_knots_are_two_tori() {
     let Some(catalogue) = Catalogue::open() else { return };
     let knots = catalogue.read("defective/components_two_knots.off");
-    let summary = converted(&knots, false, Algorithm::Triquad, "two knots");
+    let summary = converted(&knots, false, Algorithm::EagerRescue, "two knots");
     assert_eq!((summary.components, summary.genus), (2, 2));
 }
 
@@ -332,10 +332,10 @@ fn surveys_count_what_the_catalogue_measured() {
     for entry in catalogue.in_folder("defective") {
         let file = entry.file();
         let mut list = catalogue.read(file);
-        assert_eq!(broken(&Survey::of(&list), Law::Triangle), entry.measured("polys"), "{file}");
+        assert_eq!(broken(&Survey::new(&list), Law::Triangle), entry.measured("polys"), "{file}");
         // Everything else was measured on fans of triangles.
         list.triangulate();
-        let survey = Survey::of(&list);
+        let survey = Survey::new(&list);
         let table = [
             ("boundary_edges", broken(&survey, Law::NoBoundary)),
             ("bowtie_vertices", broken(&survey, Law::OneFan)),
@@ -365,7 +365,7 @@ fn surveys_count_what_the_catalogue_measured() {
 #[test]
 fn boundary_loops_of_the_open_pig_agree_with_its_euler_characteristic() {
     let Some(catalogue) = Catalogue::open() else { return };
-    let survey = Survey::of(&catalogue.read("defective/open_pig.off"));
+    let survey = Survey::new(&catalogue.read("defective/open_pig.off"));
     // A sphere with holes; the catalogue speaks of one hole, but counts V - E + F = -5.
     assert_eq!((survey.euler_characteristic, survey.boundary_loops), (-5, 7));
 }

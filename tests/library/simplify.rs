@@ -244,7 +244,7 @@ fn large_grids_keep_small_degrees_and_decent_triangles() {
         for vertices in [n / 2, n / 10, n / 50] {
             simplifier.reduce_to(vertices).unwrap();
             let (list, _) = rebuilt(&simplifier);
-            let shape = Shape::of(&list);
+            let shape = Shape::new(&list);
             let what = format!("{name} of {vertices} vertices: {shape:?}");
             assert!(shape.largest_degree <= 9, "{what}");
             assert!(shape.smallest_angle() > 8.0 && shape.largest_angle() < 155.0, "{what}");
@@ -307,7 +307,7 @@ fn places_without_extent_or_beyond_measure_are_no_obstacle() {
 fn shapes_are_measured() {
     let measure = |surface: &Surface| {
         let list = face_list(surface);
-        Shape::of(&list)
+        Shape::new(&list)
     };
     let cube = measure(&cube(1));
     assert!(

@@ -1102,7 +1102,7 @@ fn irreducible_keeps_a_few_vertices_where_they_are() {
     let surface = irregular_mesh();
     workshop.put_surface("in.obj", &surface);
     let genus = workshop.json("info in.obj --json", 0)["genus"].as_u64().unwrap();
-    for method in triquad::irreducible::Method::ALL {
+    for method in triquad::irreducible::Contractor::ALL {
         for order in ["file", "random"] {
             workshop.succeed(&format!(
                 "irreducible in.obj -o out.ply --stats stats.json --seed 3 --algorithm {method} \

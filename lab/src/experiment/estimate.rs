@@ -6,7 +6,7 @@ use super::job::Job;
 use super::plan::{Plan, PlannedMesh, PlannedRun, Source};
 use crate::meshes::Recipe;
 use triquad::augmentation::Augmentation;
-use triquad::irreducible::Method;
+use triquad::irreducible::Contractor;
 use triquad::pairing::{Algorithm, Expansion};
 
 /// Time, memory and disk.
@@ -69,10 +69,10 @@ fn pairing_seconds(algorithm: Algorithm) -> f64 {
 }
 
 /// For each triangle.
-fn reduction_seconds(method: Method) -> f64 {
+fn reduction_seconds(method: Contractor) -> f64 {
     match method {
-        Method::RamaswamiSiqueira => 0.15e-6,
-        Method::Schipper => 0.7e-6,
+        Contractor::RamaswamiSiqueira => 0.15e-6,
+        Contractor::Schipper => 0.7e-6,
         _ => 1.0e-6,
     }
 }

@@ -1,7 +1,7 @@
 //! What one run does, as the arguments of the command that does it.
 
 use triquad::augmentation::Augmentation;
-use triquad::irreducible::{Method, Order};
+use triquad::irreducible::{Contractor, Order};
 use triquad::pairing::{Algorithm, Expansion};
 
 /// What a run does to its mesh.
@@ -17,7 +17,7 @@ pub enum Job {
     /// `triquad irreducible`.
     Reduce {
         /// How contractible edges are found.
-        method: Method,
+        method: Contractor,
         /// The order of vertices.
         order: Order,
     },

@@ -31,7 +31,7 @@ use serde::Deserialize;
 use super::job::Job;
 use crate::meshes::paper::Scale;
 use triquad::augmentation::Augmentation;
-use triquad::irreducible::{Method, Order};
+use triquad::irreducible::{Contractor, Order};
 use triquad::pairing::{Algorithm, Expansion};
 
 /// An experiment file.
@@ -173,7 +173,7 @@ impl RunSpec {
                     }
                 }
                 Task::Irreducible => {
-                    let method = find(Method::ALL, Method::id, name)?;
+                    let method = find(Contractor::ALL, Contractor::id, name)?;
                     for order in &self.orders {
                         jobs.push(Job::Reduce {
                             method,

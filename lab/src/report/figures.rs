@@ -96,7 +96,7 @@ impl<'a> QuadScene<'a> {
             height: 660,
             camera: Camera { target, zoom, ..usual },
             lines,
-            ..Picture::of(polygons(self.quads))
+            ..Picture::new(polygons(self.quads))
         };
         picture.draw()
     }
@@ -132,7 +132,7 @@ pub fn box_picture(view: View) -> Image {
         },
         section: close_up.then_some(Section { point: [0.0, row, 0.0], normal: [0.0, -1.0, 0.0] }),
         lines: Lines { edges: close_up, ..Lines::default() },
-        ..Picture::of(polygons(&mesh))
+        ..Picture::new(polygons(&mesh))
     };
     picture.draw().expect("the box can be drawn")
 }

@@ -79,7 +79,7 @@ fn flips_are_blue_and_darts_are_orange_and_nothing_else_is() {
 #[test]
 fn pictures_are_small_and_the_same_again() {
     let input = torus();
-    let quads = quads_of(&input, Algorithm::Triquad);
+    let quads = quads_of(&input, Algorithm::EagerRescue);
     let scene = QuadScene::new(&quads, &input);
     for view in [View::Whole, View::CloseUp] {
         let file = scene.draw(view).unwrap().small_png();

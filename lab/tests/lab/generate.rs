@@ -188,7 +188,7 @@ fn the_boxes_have_the_printed_counts_and_convert() {
     }
     for name in ["A1", "B1"] {
         let triangulation = built(&paper::named(name).unwrap().recipe.make().unwrap());
-        for algorithm in [Algorithm::PulliSegal, Algorithm::Triquad] {
+        for algorithm in [Algorithm::PulliSegal, Algorithm::EagerRescue] {
             let settings = Settings { algorithm, ..Settings::default() };
             let quads = convert(&triangulation, &settings).len();
             assert_eq!(2 * quads, triangulation.triangle_count());

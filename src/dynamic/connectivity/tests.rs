@@ -59,11 +59,11 @@ fn audit_vertices(graph: &mut DynamicConnectivity, i: u8, set: &[u32]) {
             here && !graph.is_tree_edge(edge)
         });
         assert_eq!(listed(graph, v, node), hanging);
-        assert_eq!(graph.tours.has_mark(node, Mark::NonTree), !hanging.is_empty());
+        assert_eq!(graph.tours.has_mark(node, NodeMark::NonTree), !hanging.is_empty());
     }
 }
 
-/// The edges in the list of a vertex, sorted, after a look at the way back.
+/// Returns the edges in the list of a vertex, sorted, after a look at the way back.
 fn listed(graph: &DynamicConnectivity, v: u32, node: u32) -> Vec<u32> {
     let (mut found, mut previous, mut edge) = (Vec::new(), NONE, graph.first[node as usize]);
     while edge != NONE {
@@ -92,7 +92,7 @@ fn audit_edges(graph: &DynamicConnectivity, i: u8, set: &[u32]) {
         assert_eq!(way != NONE, own >= i);
         if way != NONE {
             assert_eq!(graph.tours.label(way), edge);
-            assert_eq!(graph.tours.has_mark(way, Mark::Tree), own == i);
+            assert_eq!(graph.tours.has_mark(way, NodeMark::Tree), own == i);
         }
     }
 }

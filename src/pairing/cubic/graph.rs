@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::IllegalGraph;
+use super::error::CubicGraphError;
 use crate::dual::DualGraph;
 use crate::prefetch::prefetch;
 use crate::triangulation::{Id, IdVec, TriangleId};
@@ -53,13 +53,13 @@ pub(super) struct Numbering<'g> {
 impl<'g> Numbering<'g> {
     const UNSEEN: u32 = u32::MAX;
 
-    /// Nothing is seen yet.
+    /// Makes a numbering in which no triangle has been seen. O(n).
     pub(super) fn new(graph: &'g DualGraph) -> Self {
         let place = IdVec::filled(Self::UNSEEN, graph.len());
         Self { graph, order: Vec::with_capacity(graph.len()), place }
     }
 
-    /// Whether a component with `f` has been numbered.
+    /// Returns whether a component with `f` has been numbered.
     pub(super) fn is_seen(&self, f: TriangleId) -> bool {
         self.place[f] != Self::UNSEEN
     }
@@ -81,7 +81,8 @@ impl<'g> Numbering<'g> {
         start..next
     }
 
-    /// Neighbours lie anywhere in the order of the file: has the cache fetch what is needed soon.
+    /// Prefetches triangles that are needed soon: neighbours may lie anywhere in the order of the
+    /// file.
     #[inline]
     fn fetch_ahead(&self, place: usize) {
         const STEPS: usize = 8;
@@ -96,18 +97,18 @@ impl<'g> Numbering<'g> {
         self.order.push(f);
     }
 
-    /// The triangle at a place.
+    /// Returns the triangle at a place.
     pub(super) fn triangle(&self, place: usize) -> TriangleId {
         self.order[place]
     }
 
-    /// The node that `f` is in the graph of its component, whose places begin at `start`.
+    /// Returns the node that `f` is in the graph of its component, whose places begin at `start`.
     pub(super) fn node(&self, f: TriangleId, start: usize) -> NodeId {
         NodeId(self.place[f] - start as u32)
     }
 
-    /// Calls `visit` with each edge of a component, its lower end first, in the order that they have in
-    /// its [`Multigraph`].
+    /// Calls `visit` with each edge of a component, its lower end first, in the order that they
+    /// have in its [`Multigraph`].
     pub(super) fn for_each_edge(
         &self,
         component: Range<usize>,
@@ -128,8 +129,8 @@ impl<'g> Numbering<'g> {
 /// A connected cubic multigraph without loops: ends of edges and edges of nodes, 24 bytes a node.
 ///
 /// As built, the first edge of every node but node 0 leads to its parent in a breadth-first tree:
-/// numbers are breadth-first, edges are made in the order of their lower ends, and the parent is the
-/// lowest neighbour.
+/// numbers are breadth-first, edges are made in the order of their lower ends, and the parent is
+/// the lowest neighbour.
 #[derive(Clone, Debug)]
 pub(super) struct Multigraph {
     pub(super) ends: IdVec<EdgeId, [NodeId; 2]>,
@@ -137,14 +138,14 @@ pub(super) struct Multigraph {
 }
 
 impl Multigraph {
-    /// The component with these places. O(its size).
+    /// Builds the component with these places. O(its size).
     ///
     /// # Errors
     /// Names a triangle with fewer than three neighbours.
-    pub(super) fn of_component(
+    pub(super) fn from_component(
         numbering: &Numbering,
         component: Range<usize>,
-    ) -> Result<Self, IllegalGraph> {
+    ) -> Result<Self, CubicGraphError> {
         let start = component.start;
         let mut ends = Vec::with_capacity(component.len() * 3 / 2);
         let mut around = IdVec::filled([EdgeId::NONE; 3], component.len());
@@ -157,18 +158,18 @@ impl Multigraph {
             ends.push(nodes);
         });
         match around.ids().find(|&v: &NodeId| around[v].contains(&EdgeId::NONE)) {
-            Some(v) => Err(IllegalGraph::Degree(numbering.triangle(start + v.index()).0)),
+            Some(v) => Err(CubicGraphError::Degree(numbering.triangle(start + v.index()).0)),
             None => Ok(Self { ends: ends.into(), around }),
         }
     }
 
-    /// The parent of `v` in the breadth-first tree of a graph as built, and the edge to it.
+    /// Returns the parent of `v` in the breadth-first tree of a graph as built, and the edge to it.
     pub(super) fn parent(&self, v: NodeId) -> Option<(NodeId, EdgeId)> {
         let edge = self.around[v][0];
         (v.0 != 0).then(|| (self.far_end(edge, v), edge))
     }
 
-    /// The other end of `edge`.
+    /// Returns the other end of `edge`.
     #[inline]
     pub(super) fn far_end(&self, edge: EdgeId, v: NodeId) -> NodeId {
         let [a, b] = self.ends[edge];
@@ -176,7 +177,7 @@ impl Multigraph {
         NodeId(a.0 ^ b.0 ^ v.0)
     }
 
-    /// The two edges at `v` beside `edge`.
+    /// Returns the two edges at `v` beside `edge`.
     #[inline]
     pub(super) fn others(&self, v: NodeId, edge: EdgeId) -> [EdgeId; 2] {
         match self.around[v] {
@@ -195,7 +196,7 @@ impl Multigraph {
     }
 
     /// Carries out a contraction: `f` lives on, merged with `t`. O(1).
-    pub(super) fn contract(&mut self, double: &Contraction) -> Receipt {
+    pub(super) fn contract(&mut self, double: &DoubleEdge) -> Receipt {
         self.merge(double.f, double.u, double.t, double.x);
         Receipt { matched_if_not: double.p, new: EdgeId::NONE, merged: EdgeId::NONE }
     }
@@ -239,7 +240,7 @@ pub(super) enum Candidate {
 }
 
 impl Candidate {
-    /// New edges are between slots whose numbers differ by this, bit by bit; see
+    /// Returns the exclusive or of the numbers of two slots that a new edge joins; see
     /// [`Reduction::slots`].
     pub(super) fn step(self) -> usize {
         match self {
@@ -250,13 +251,13 @@ impl Candidate {
 }
 
 impl Reduction {
-    /// The four slots, w, x, y_r and y_s: edges that join the pair `u`, `v` to the rest, each with its
-    /// end there.
+    /// Returns the four slots, w, x, y_r and y_s: edges that join the pair `u`, `v` to the rest,
+    /// each with its end there.
     pub(super) fn slots(&self) -> [(EdgeId, NodeId); 4] {
         [(self.f, self.w), (self.c, self.x), (self.r, self.y_r), (self.s, self.y_s)]
     }
 
-    /// The edges at `v` that are merged with `f` and with `c`, each with its far end.
+    /// Returns the edges at `v` that are merged with `f` and with `c`, each with its far end.
     pub(super) fn joined(&self, candidate: Candidate) -> [(EdgeId, NodeId); 2] {
         let [r, s] = [(self.r, self.y_r), (self.s, self.y_s)];
         match candidate {
@@ -266,10 +267,10 @@ impl Reduction {
     }
 }
 
-/// A pair of parallel edges `p`, `q` between `u` and `v`, beside the excluded edge `f` from `w` to `u`,
-/// and `t` from `v` to `x`.
+/// A pair of parallel edges `p`, `q` between `u` and `v`, beside the excluded edge `f` from `w` to
+/// `u`, and `t` from `v` to `x`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Contraction {
+pub(super) struct DoubleEdge {
     pub(super) u: NodeId,
     pub(super) v: NodeId,
     pub(super) f: EdgeId,
@@ -282,12 +283,12 @@ pub(super) struct Contraction {
 
 /// A step that is possible.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Move {
-    Contract(Contraction),
+pub(super) enum Step {
+    Contract(DoubleEdge),
     Reduce(Reduction),
 }
 
-/// What undoes a step for the matching. 12 bytes.
+/// Receipt of a step, which undoes it for the matching. 12 bytes.
 #[must_use = "without its receipt a step is not undone"]
 pub(super) struct Receipt {
     /// `e` or `p`: matched unless `new` is.

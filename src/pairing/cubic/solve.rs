@@ -1,24 +1,25 @@
 //! The driver: one step after the other until two nodes are left, and back again.
 
-use super::graph::{Candidate, Contraction, EdgeId, Move, Multigraph, NodeId, Receipt, Reduction};
+use super::graph::{Candidate, DoubleEdge, EdgeId, Multigraph, NodeId, Receipt, Reduction, Step};
 use crate::triangulation::IdVec;
 
-/// Knows enough of the graph to choose between Frink's candidates.
+/// A structure that chooses between Frink's candidates.
 ///
-/// It is told of every step before it is carried out.
+/// It is updated before every step is carried out.
 pub(super) trait Decide {
-    /// Which candidate is connected and bridgeless; if both are, any.
+    /// Returns a candidate that is connected and bridgeless, and updates the structure for it.
     fn decide(&mut self, graph: &Multigraph, cut: &Reduction) -> Candidate;
 
-    /// A contraction follows.
-    fn contract(&mut self, graph: &Multigraph, double: &Contraction);
+    /// Updates the structure for a contraction.
+    fn contract(&mut self, graph: &Multigraph, double: &DoubleEdge);
 
-    /// How much work the decision would be if the edge `e` were taken, with these edges beside it;
-    /// the least is taken.
+    /// Returns the cost of a decision for edge `e`, with these edges beside it. The cheapest edge
+    /// is taken.
     fn cost(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32;
 }
 
-/// A perfect matching of `graph` that avoids `f`. n / 2 steps, and 6 bytes a node for receipts.
+/// Returns a perfect matching of `graph` that avoids `f`. n / 2 steps, and 6 bytes a node for
+/// receipts.
 pub(super) fn matching_without(
     mut graph: Multigraph,
     f: EdgeId,
@@ -28,12 +29,12 @@ pub(super) fn matching_without(
     let steps = graph.around.len() / 2 - 1;
     let mut receipts: Vec<Receipt> = Vec::with_capacity(steps);
     for _ in 0..steps {
-        receipts.push(match next_move(&graph, f, decider) {
-            Move::Contract(double) => {
+        receipts.push(match next_step(&graph, f, decider) {
+            Step::Contract(double) => {
                 decider.contract(&graph, &double);
                 graph.contract(&double)
             }
-            Move::Reduce(cut) => {
+            Step::Reduce(cut) => {
                 let candidate = decider.decide(&graph, &cut);
                 graph.reduce(&cut, candidate)
             }
@@ -50,14 +51,14 @@ pub(super) fn matching_without(
     matched
 }
 
-/// A contraction at `f` if there is one, or else the reduction that costs least.
-fn next_move(graph: &Multigraph, f: EdgeId, decider: &impl Decide) -> Move {
+/// Returns a contraction at `f` if there is one, or else the reduction that costs least.
+fn next_step(graph: &Multigraph, f: EdgeId, decider: &impl Decide) -> Step {
     let mut best: Option<(u32, NodeId, EdgeId, EdgeId)> = None;
     for u in graph.ends[f] {
         let others = graph.others(u, f);
         let far = others.map(|edge| graph.far_end(edge, u));
         if far[0] == far[1] {
-            return Move::Contract(contraction(graph, f, u, others));
+            return Step::Contract(contraction(graph, f, u, others));
         }
         let w = graph.far_end(f, u);
         // An edge beside f is no simple one.
@@ -71,16 +72,16 @@ fn next_move(graph: &Multigraph, f: EdgeId, decider: &impl Decide) -> Move {
         }
     }
     let (_, u, e, c) = best.expect("two edges at u that end in different nodes: one is simple");
-    Move::Reduce(reduction(graph, f, u, e, c))
+    Step::Reduce(reduction(graph, f, u, e, c))
 }
 
-fn contraction(graph: &Multigraph, f: EdgeId, u: NodeId, [p, q]: [EdgeId; 2]) -> Contraction {
+fn contraction(graph: &Multigraph, f: EdgeId, u: NodeId, [p, q]: [EdgeId; 2]) -> DoubleEdge {
     let v = graph.far_end(p, u);
     let [a, b] = graph.others(v, p);
     let t = if a == q { b } else { a };
     let (w, x) = (graph.far_end(f, u), graph.far_end(t, v));
     debug_assert!(w != v && w != x, "two nodes are left, or there is a bridge");
-    Contraction { u, v, f, p, q, t, w, x }
+    DoubleEdge { u, v, f, p, q, t, w, x }
 }
 
 fn reduction(graph: &Multigraph, f: EdgeId, u: NodeId, e: EdgeId, c: EdgeId) -> Reduction {

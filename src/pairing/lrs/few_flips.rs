@@ -12,76 +12,71 @@
 
 use std::ops::RangeInclusive;
 
-use super::Expanded;
-use super::marks::{Mark, Marks};
-use super::search::Search;
-use super::undoing::Undoing;
-use crate::irreducible::Reduction;
+use super::expanded::{Expanded, ExpansionObserver};
+use super::flip_undo::FlipUndo;
+use super::marks::{EdgeMark, EdgeMarks};
+use super::path_search::PathSearch;
+use crate::irreducible::Contracted;
 use crate::triangulation::{
-    ExpandingTriangulation, HalfEdgeId, IdVec, Links, Places, ShrinkingTriangulation, Surroundings,
-    Triangulation, VertexId, VertexSplit,
+    Connectivity, Displacements, ExpandingTriangulation, HalfEdgeId, IdVec, ShrinkingTriangulation,
+    Surroundings, Triangulation, VertexId, VertexSplit,
 };
 
-/// How many triangles are looked round before an edge is flipped.
+/// Search limit, in triangles, before an edge is flipped.
 const LIMIT: usize = 8;
 
-/// How many triangles are looked round before a flip is left as it is: the fewer flips there are,
-/// the more, as all searches together may look round all triangles so many times.
+/// Search limit, in triangles, when undoing a flip. It shrinks as the number of flips grows so that
+/// all searches together stay linear.
 const LAST_LIMITS: RangeInclusive<usize> = 32..=400;
 const LAST_ROUNDS: usize = 2;
 
-/// Looks on while vertices come back; production looks away.
-pub(super) trait Observer: Sized {
-    /// A vertex has been expanded and its triangles have been paired; others are `pending`.
-    fn expanded(&mut self, _run: &Run, _pending: &[VertexSplit]) {}
-}
-
-impl Observer for () {}
-
 /// The state of the expansion.
-pub(super) struct Run {
+pub(super) struct FewFlipsExpansion {
     /// 𝒦, as far as it has been expanded.
     pub(super) k: ExpandingTriangulation,
-    /// Which edges of 𝒦 are in M, and which are flips.
-    pub(super) marks: Marks,
-    places: Places,
+    /// Marks of the edges of 𝒦 that are in M, and of those that are flips.
+    pub(super) marks: EdgeMarks,
+    places: Displacements,
     /// The vertices into which others have been contracted that are not back yet.
     splits_again: IdVec<VertexId, bool>,
     /// How many they are.
     centres: usize,
     /// The one that splits now.
     centre: VertexId,
-    search: Search,
+    search: PathSearch,
     /// The edges flipped, each by the half-edge that it is in 𝒯, in the order of time.
     pub(super) flips: Vec<HalfEdgeId>,
 }
 
 /// Expands all vertices, the last contracted first. O(n).
-pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
-    let Reduction { triangulation, mut splits, .. } = reduction;
+pub(super) fn expand_all(
+    reduction: Contracted,
+    observer: &mut impl ExpansionObserver<FewFlipsExpansion>,
+) -> FewFlipsExpansion {
+    let Contracted { triangulation, mut splits, .. } = reduction;
     let k = triangulation.into_expanding();
-    let splits_again = Run::find_centres(&k, &splits);
-    let mut run = Run {
-        marks: Marks::new(k.half_edge_id_count()),
-        places: Places::new(k.half_edge_id_count()),
+    let splits_again = FewFlipsExpansion::find_centres(&k, &splits);
+    let mut expansion = FewFlipsExpansion {
+        marks: EdgeMarks::new(k.half_edge_id_count()),
+        places: Displacements::new(k.half_edge_id_count()),
         k,
         centres: splits_again.as_slice().iter().filter(|&&splits| splits).count(),
         splits_again,
         centre: VertexId::NONE,
-        search: Search::default(),
+        search: PathSearch::default(),
         flips: Vec::new(),
     };
     while let Some(split) = splits.pop() {
-        run.k.prefetch_splits(&splits);
-        run.expand(split);
-        observer.expanded(&run, &splits);
+        expansion.k.prefetch_splits(&splits);
+        expansion.expand(split);
+        observer.expanded(&expansion, &splits);
     }
-    run
+    expansion
 }
 
-impl Run {
-    /// Which vertices others have been contracted into. O(n), and O(m log n) lookups for m of them: all
-    /// contractions into one are in a row.
+impl FewFlipsExpansion {
+    /// Marks the vertices into which others have been contracted. O(n), and O(m log n) lookups for
+    /// m of them, as all contractions into one vertex are in a row.
     fn find_centres(k: &ExpandingTriangulation, splits: &[VertexSplit]) -> IdVec<VertexId, bool> {
         let mut is_centre = IdVec::filled(false, k.vertex_id_count());
         let centre_of = |split: &VertexSplit| k.origin(split.half_edge());
@@ -100,9 +95,9 @@ impl Run {
     fn expand(&mut self, split: VertexSplit) {
         let Self { k, marks, places, .. } = self;
         // Wherever a flipped edge has displaced another, there is a flipped edge now.
-        let moved = |g| marks.has(g, Mark::Flipped).then(|| places.of(g));
+        let moved = |g| marks.has(g, EdgeMark::Flipped).then(|| places.current(g));
         let at = k.surroundings_among_flips(&split, moved);
-        let matched = [at.tb, at.tc].map(|side| marks.has(side, Mark::Matched));
+        let matched = [at.tb, at.tc].map(|side| marks.has(side, EdgeMark::Matched));
         k.split(split, &at);
         marks.split(&at);
         let Surroundings { h, hp, a, d, ta, td, .. } = at;
@@ -143,7 +138,7 @@ impl Run {
 
     fn match_edge(&mut self, h: HalfEdgeId) {
         for side in [h, self.k.twin(h)] {
-            self.marks.add(side, Mark::Matched);
+            self.marks.add(side, EdgeMark::Matched);
         }
     }
 
@@ -153,23 +148,22 @@ impl Run {
         self.places.follow(&moves);
         self.marks.follow(&moves);
         for (_, place) in &moves[2..] {
-            self.marks.add(*place, Mark::Flipped);
+            self.marks.add(*place, EdgeMark::Flipped);
         }
         self.flips.push(side);
     }
 
-    /// 𝒦 and the matching of its triangles, when all vertices are back, with the flips undone that can
-    /// be. O(n).
+    /// Undoes the flips that can be undone and returns 𝒦 with the matching of its triangles. O(n).
     pub(super) fn finish(self, input: &Triangulation) -> Expanded {
         let Self { k, marks, search, flips, places, .. } = self;
-        // Large, and not asked again: edges that are flipped back are found by their ends.
+        // Large, and not needed any more: edges that are flipped back are found by their ends.
         drop(places);
         let limit = LAST_ROUNDS * input.triangle_count() / flips.len().max(1);
         let limit = limit.clamp(*LAST_LIMITS.start(), *LAST_LIMITS.end());
-        let k = ShrinkingTriangulation::of(k.into_triangulation());
-        let mut undoing = Undoing { input, k, marks, search, limit };
+        let k = ShrinkingTriangulation::from(k.into_triangulation());
+        let mut undoing = FlipUndo { input, k, marks, search, limit };
         let lasting = undoing.undo_all(flips);
-        let Undoing { k, marks, .. } = undoing;
+        let FlipUndo { k, marks, .. } = undoing;
         Expanded::new(k.into_triangulation(), &marks, lasting)
     }
 }

@@ -7,24 +7,26 @@ use proptest::prelude::*;
 use triquad_generators::Surface;
 use triquad_generators::classic::{octahedron, seven_vertex_torus, tetrahedron};
 
-use super::marks::{Mark, Marks};
-use super::printed::{self, expand_all};
-use super::{DISCIPLINE, Expanded, contract, few_flips};
+use super::expanded::{Expanded, ExpansionObserver};
+use super::few_flips::{self, FewFlipsExpansion};
+use super::marks::{EdgeMark, EdgeMarks};
+use super::printed::{PrintedExpansion, expand_all};
+use super::{DISCIPLINE, contract};
 use crate::dual::DualGraph;
 use crate::irreducible::Discipline;
 use crate::mesh::Mesh;
 use crate::samples::{sculpted, surfaces, triangulation};
 use crate::triangulation::{
-    ExpandingTriangulation, HalfEdgeId, Id, Links, TriangleId, Triangulation, VertexSplit,
+    Connectivity, ExpandingTriangulation, HalfEdgeId, TriangleId, Triangulation, VertexSplit,
 };
 
 /// Triangles with named sides: for each side the vertex it leaves and the half-edge it is.
 #[derive(Clone)]
-struct Sides(Vec<[(u32, HalfEdgeId); 3]>);
+struct NamedTriangles(Vec<[(u32, HalfEdgeId); 3]>);
 
-impl Sides {
-    /// The triangles that are there while some splits are `pending`.
-    fn of(t: &ExpandingTriangulation, pending: &[VertexSplit]) -> Self {
+impl NamedTriangles {
+    /// Returns the triangles that are there while some splits are `pending`.
+    fn new(t: &ExpandingTriangulation, pending: &[VertexSplit]) -> Self {
         let edges = pending.iter().map(VertexSplit::half_edge);
         let removed: BTreeSet<_> =
             edges.flat_map(|h| [h, t.twin(h)]).map(HalfEdgeId::triangle).collect();
@@ -33,7 +35,7 @@ impl Sides {
         Self(all.filter(|f| !removed.contains(f)).map(sides).collect())
     }
 
-    /// The triangle that has side `h`, turned so that it comes first.
+    /// Returns the triangle that has side `h`, turned so that it comes first.
     fn find(&self, h: HalfEdgeId) -> (usize, [(u32, HalfEdgeId); 3]) {
         for (at, sides) in self.0.iter().enumerate() {
             if let Some(i) = sides.iter().position(|side| side.1 == h) {
@@ -52,7 +54,7 @@ impl Sides {
         self.0[g] = [bc, (c, t), db];
     }
 
-    /// The triangulation they are, with `vertices` vertex ids.
+    /// Returns the triangulation they are, with `vertices` vertex ids.
     fn build(&self, vertices: usize) -> Triangulation {
         let triangles = self.0.iter().map(|sides| sides.map(|side| side.0)).collect();
         let list = Mesh::from_triangles(vec![[0.0; 3]; vertices], triangles);
@@ -60,15 +62,16 @@ impl Sides {
     }
 }
 
-/// Checks Claim 3.1 and Proposition 3.3 after every expansion of what `input` has been contracted to.
+/// Checks Claim 3.1 and Proposition 3.3 after every expansion of what `input` has been contracted
+/// to.
 struct Checker<'a> {
     input: &'a Triangulation,
     expansions: usize,
 }
 
-impl printed::Observer for Checker<'_> {
-    fn expanded(&mut self, run: &printed::Run, pending: &[VertexSplit]) {
-        let mut sides = Sides::of(&run.t, pending);
+impl ExpansionObserver<PrintedExpansion> for Checker<'_> {
+    fn expanded(&mut self, run: &PrintedExpansion, pending: &[VertexSplit]) {
+        let mut sides = NamedTriangles::new(&run.t, pending);
         for h in run.lasting_flips() {
             sides.flip(h, run.t.twin(h));
         }
@@ -76,21 +79,21 @@ impl printed::Observer for Checker<'_> {
     }
 }
 
-impl few_flips::Observer for Checker<'_> {
-    fn expanded(&mut self, run: &few_flips::Run, pending: &[VertexSplit]) {
-        self.check(&Sides::of(&run.k, pending), &run.k, &run.marks, pending);
+impl ExpansionObserver<FewFlipsExpansion> for Checker<'_> {
+    fn expanded(&mut self, run: &FewFlipsExpansion, pending: &[VertexSplit]) {
+        self.check(&NamedTriangles::new(&run.k, pending), &run.k, &run.marks, pending);
     }
 }
 
 impl Checker<'_> {
-    /// 𝒦, which has these `sides`, is a triangulation of the surface with the vertices of `t`, all but
-    /// the `pending` ones; the marks of both sides of an edge of `t` agree; M joins neighbours in 𝒦, no
-    /// triangle twice, and two triangles for every expansion.
+    /// 𝒦, which has these `sides`, is a triangulation of the surface with the vertices of `t`, all
+    /// but the `pending` ones; the marks of both sides of an edge of `t` agree; M joins neighbours
+    /// in 𝒦, no triangle twice, and two triangles for every expansion.
     fn check(
         &mut self,
-        sides: &Sides,
+        sides: &NamedTriangles,
         t: &ExpandingTriangulation,
-        marks: &Marks,
+        marks: &EdgeMarks,
         pending: &[VertexSplit],
     ) {
         self.expansions += 1;
@@ -100,8 +103,8 @@ impl Checker<'_> {
         let mut joined = BTreeSet::new();
         for &(_, h) in sides.0.iter().flatten() {
             assert!(marks.agree(h, t.twin(h)));
-            assert!(!marks.has(h, Mark::Inner), "a search has left traces");
-            if marks.has(h, Mark::Matched) {
+            assert!(!marks.has(h, EdgeMark::Inner), "a search has left traces");
+            if marks.has(h, EdgeMark::Matched) {
                 assert!(joined.insert(sides.find(h).0), "{h:?}: its triangle is joined twice");
             }
         }
@@ -125,7 +128,7 @@ fn observe(surface: &Surface, discipline: Discipline) -> [usize; 2] {
     let mut checkers = [(); 2].map(|()| Checker { input: &input, expansions: 0 });
     let [one, other] = reductions;
     let run = expand_all(one, &mut checkers[0]);
-    let mut sides = Sides::of(&run.t, &[]);
+    let mut sides = NamedTriangles::new(&run.t, &[]);
     run.lasting_flips().for_each(|h| sides.flip(h, run.t.twin(h)));
     let replayed = sides.build(input.vertex_id_count());
     let as_printed = run.finish();
@@ -192,7 +195,7 @@ fn flips_are_made_in_the_order_of_time() {
     let run = expand_all(contract(&input, Discipline::FirstInFirstOut), &mut ());
     let flips: Vec<_> = run.lasting_flips().collect();
     let made = |flips: &mut dyn Iterator<Item = &HalfEdgeId>| {
-        let mut sides = Sides::of(&run.t, &[]);
+        let mut sides = NamedTriangles::new(&run.t, &[]);
         flips.for_each(|&h| sides.flip(h, run.t.twin(h)));
         edges(&sides.build(8)).into_keys().collect::<BTreeSet<_>>()
     };

@@ -1,11 +1,11 @@
-//! LRS (Lemos et al., section 3.3): contraction to an irreducible triangulation, expansion back with
-//! a matching and edge flips.
+//! LRS (Lemos et al., section 3.3): contraction to an irreducible triangulation, expansion back
+//! with a matching and edge flips.
 //!
 //! The contraction is RS of [`irreducible`](crate::irreducible). The expansion undoes it vertex by
-//! vertex, the last contraction first, and pairs the triangles that come back; where that cannot
-//! be, it flips an edge. The outcome is a triangulation 𝒦 of the same surface on the same vertices,
-//! and a matching of its triangles that misses only as many as the irreducible triangulation has: 4
-//! on a sphere, at most 56 g - 12 on a surface of genus g > 0.
+//! vertex, the last contraction first, and pairs the triangles that come back; where that is
+//! impossible, it flips an edge. The outcome is a triangulation 𝒦 of the same surface on the same
+//! vertices, and a matching of its triangles that misses only as many as the irreducible
+//! triangulation has: 4 on a sphere, at most 56 g - 12 on a surface of genus g > 0.
 //!
 //! Departs from the printed RS in one order: edges that are new at u are tested before older ones.
 //! Printed is the reverse, but what both papers have measured is this: tested first, edges
@@ -13,42 +13,43 @@
 //! 0.99 a vertex on the simplified boxes of genus 0 (Ramaswami-Siqueira, Table 6); tested last they
 //! are 11 to 37 % and 0.7 to 0.95.
 
+mod expanded;
 mod few_flips;
+mod flip_undo;
 #[cfg(test)]
 mod invariants;
 mod marks;
+mod path_search;
 mod printed;
-mod search;
-mod undoing;
 
 use std::borrow::Cow;
 
-use super::InitialPairing;
-use crate::dual::{DualGraph, Matching};
-use crate::irreducible::{Discipline, Reduction, ramaswami_siqueira};
-use crate::triangulation::{Id, ShrinkingTriangulation, Triangulation, VertexId};
-use marks::Marks;
+use super::initial::InitialPairing;
+use crate::irreducible::{Contracted, Discipline, ramaswami_siqueira};
+use crate::names::named;
+use crate::triangulation::{ShrinkingTriangulation, Triangulation, VertexId};
+use expanded::Expanded;
 
-/// Where edges that are new at a vertex enter its list, see above.
+/// The end of the list at which edges that are new at a vertex enter, see above.
 const DISCIPLINE: Discipline = Discipline::LastInFirstOut;
 
-/// How LRS expands.
+/// A variant of the expansion of LRS.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Expansion {
     /// `printed`: as published, Algorithms 3.1 to 3.4.
     #[default]
     Printed,
-    /// `few-flips`: ours. Flips only where no short alternating path is found, and undoes flips where
-    /// there is one in the end.
+    /// `few-flips`: ours. Flips only where no short alternating path is found, and undoes flips
+    /// where there is one in the end.
     FewFlips,
 }
 
 impl Expansion {
-    /// All ways there are.
+    /// All variants.
     pub const ALL: [Self; 2] = [Self::Printed, Self::FewFlips];
 
-    /// The name on the command line and in records.
+    /// Returns the name on the command line and in records.
     pub fn id(self) -> &'static str {
         match self {
             Self::Printed => "printed",
@@ -57,24 +58,7 @@ impl Expansion {
     }
 }
 
-/// 𝒦 and what is known of it.
-struct Expanded {
-    triangulation: Triangulation,
-    dual: DualGraph,
-    matching: Matching,
-    /// Edges of 𝒦 that are flips. None is an edge of the input: when it is made, it ends at the
-    /// vertex being expanded, all whose edges in the triangulation expanded so far are in 𝒦.
-    edge_flips: usize,
-}
-
-impl Expanded {
-    /// Pairs the triangles of 𝒦 = `k` on both sides of the edges that are marked as in M. O(n).
-    fn new(k: Triangulation, marks: &Marks, edge_flips: usize) -> Self {
-        let dual = DualGraph::new(&k);
-        let matching = Matching::from_mates(marks.mates(&dual));
-        Self { dual, matching, triangulation: k, edge_flips }
-    }
-}
+named!(Expansion, "expansion of lrs", id);
 
 /// Pairs the triangles of 𝒦, a triangulation with the same vertices as `triangulation`, of the same
 /// surface, made from it by edge flips.
@@ -91,9 +75,9 @@ pub fn lrs(triangulation: &Triangulation, expansion: Expansion) -> InitialPairin
     InitialPairing { triangulation: Cow::Owned(triangulation), dual, matching, edge_flips }
 }
 
-/// The contraction step: RS, vertices in the order of the file.
-fn contract(triangulation: &Triangulation, discipline: Discipline) -> Reduction {
-    let k = ShrinkingTriangulation::copy_of(triangulation);
+/// Returns the contraction step: RS, vertices in the order of the file.
+fn contract(triangulation: &Triangulation, discipline: Discipline) -> Contracted {
+    let k = ShrinkingTriangulation::from(triangulation);
     let order = (0..k.vertex_id_count()).map(VertexId::new);
     ramaswami_siqueira(k, order, discipline)
 }

@@ -2,60 +2,56 @@
 //! edges for the matching M and for flips.
 //!
 //! Departs from the printed text where that leaves things open or is wrong. Of the two edges that
-//! [u, x] becomes when it splits, the one at u stays in M. Flipped edges are also logged: 𝒦 cannot
-//! be told from the marks alone, as two flipped edges may share a triangle and then their order
-//! matters. And 𝒦 is made once, when all vertices are back.
+//! [u, x] becomes when it splits, the one at u stays in M. Flipped edges are also logged: The marks
+//! alone do not determine 𝒦: two flipped edges may share a triangle, and then their order matters.
+//! And 𝒦 is made once, when all vertices are back.
 
-use super::Expanded;
-use super::marks::{Mark, Marks};
-use crate::irreducible::Reduction;
+use super::expanded::{Expanded, ExpansionObserver};
+use super::marks::{EdgeMark, EdgeMarks};
+use crate::irreducible::Contracted;
 use crate::triangulation::{
-    ExpandingTriangulation, HalfEdgeId, Links, Places, Surroundings, Triangulation, VertexSplit,
+    Connectivity, Displacements, ExpandingTriangulation, HalfEdgeId, Surroundings, Triangulation,
+    VertexSplit,
 };
 
-/// Looks on while vertices come back; production looks away.
-pub(super) trait Observer: Sized {
-    /// A vertex has been expanded and its triangles have been paired; others are `pending`.
-    fn expanded(&mut self, _run: &Run, _pending: &[VertexSplit]) {}
-}
-
-impl Observer for () {}
-
 /// The state of the expansion.
-pub(super) struct Run {
+pub(super) struct PrintedExpansion {
     /// 𝒯, as far as it has been expanded.
     pub(super) t: ExpandingTriangulation,
-    pub(super) marks: Marks,
+    pub(super) marks: EdgeMarks,
     /// The edges flipped, each by one half-edge, in the order of time; those whose marks say
     /// otherwise have been flipped back.
     pub(super) flips: Vec<HalfEdgeId>,
 }
 
-/// A vertex v that has come back to its vertex u, with the names of [`Surroundings`]: before, [u, x]
-/// had the sides tb and ta, and [u, y] tc and td.
+/// A vertex v that has come back to its vertex u, with the names of [`Surroundings`]: before, [u,
+/// x] had the sides tb and ta, and [u, y] tc and td.
 struct Split {
     at: Surroundings,
     /// Number of edges at v.
     degree: u32,
-    /// Whether [u, x] is in M, and [u, y].
+    /// Membership of [u, x] and [u, y] in M.
     matched: [bool; 2],
 }
 
 /// Expands all vertices, the last contracted first (Algorithm 3.1). O(n).
-pub(super) fn expand_all(reduction: Reduction, observer: &mut impl Observer) -> Run {
-    let Reduction { triangulation, mut splits, .. } = reduction;
+pub(super) fn expand_all(
+    reduction: Contracted,
+    observer: &mut impl ExpansionObserver<PrintedExpansion>,
+) -> PrintedExpansion {
+    let Contracted { triangulation, mut splits, .. } = reduction;
     let t = triangulation.into_expanding();
-    let marks = Marks::new(t.half_edge_id_count());
-    let mut run = Run { t, marks, flips: Vec::new() };
+    let marks = EdgeMarks::new(t.half_edge_id_count());
+    let mut expansion = PrintedExpansion { t, marks, flips: Vec::new() };
     while let Some(split) = splits.pop() {
-        run.t.prefetch_splits(&splits);
-        run.expand(split);
-        observer.expanded(&run, &splits);
+        expansion.t.prefetch_splits(&splits);
+        expansion.expand(split);
+        observer.expanded(&expansion, &splits);
     }
-    run
+    expansion
 }
 
-impl Run {
+impl PrintedExpansion {
     /// Expands one vertex and pairs its triangles (Algorithm 3.1, lines 4 to 19).
     fn expand(&mut self, split: VertexSplit) {
         let e = self.split(split);
@@ -75,23 +71,26 @@ impl Run {
         let at = self.t.surroundings(&split);
         let marks = &mut self.marks;
         let kept = [at.tb, at.tc];
-        debug_assert!(!kept.iter().any(|&side| marks.has(side, Mark::Flipped)), "they are in 𝒦");
-        let matched = kept.map(|side| marks.has(side, Mark::Matched));
+        debug_assert!(
+            !kept.iter().any(|&side| marks.has(side, EdgeMark::Flipped)),
+            "they are in 𝒦"
+        );
+        let matched = kept.map(|side| marks.has(side, EdgeMark::Matched));
         let degree = self.t.split(split, &at);
         marks.split(&at);
         debug_assert!([at.h, at.hp, at.a, at.d].iter().all(|&side| marks.is_plain(side)));
         Split { at, degree, matched }
     }
 
-    /// Algorithm 3.2. The paper has [x, y] flipped back whenever it is flipped; it is if and only if
-    /// both [u, x] and [u, y] are in M.
+    /// Pairs the triangles of a vertex of degree 3 (Algorithm 3.2). The paper has [x, y] flipped
+    /// back whenever it is flipped; it is if and only if both [u, x] and [u, y] are in M.
     fn match_degree_three(&mut self, e: &Split) {
         let xy = e.at.td.next();
         let both = e.matched == [true; 2];
-        debug_assert_eq!(self.marks.has(xy, Mark::Flipped), both);
+        debug_assert_eq!(self.marks.has(xy, EdgeMark::Flipped), both);
         if both {
             for side in [xy, self.t.twin(xy)] {
-                self.marks.remove(side, Mark::Flipped);
+                self.marks.remove(side, EdgeMark::Flipped);
             }
             self.match_edge(xy);
         } else if e.matched[0] {
@@ -101,11 +100,11 @@ impl Run {
         }
     }
 
-    /// Whether [x, z] or [y, z] is flipped, where z is the fourth neighbour of v.
+    /// Returns whether [x, z] or [y, z] is flipped, where z is the fourth neighbour of v.
     fn is_opposite_flipped(&self, e: &Split) -> bool {
         let xz = e.at.ta.next().next();
         let yz = e.at.td.next();
-        [xz, yz].iter().any(|&side| self.marks.has(side, Mark::Flipped))
+        [xz, yz].iter().any(|&side| self.marks.has(side, EdgeMark::Flipped))
     }
 
     /// Algorithm 3.3.
@@ -122,7 +121,7 @@ impl Run {
     fn match_greater_degree(&mut self, e: &Split) {
         for (matched, side) in e.matched.into_iter().zip([e.at.a, e.at.d]) {
             if matched {
-                self.add(side, Mark::Flipped);
+                self.add(side, EdgeMark::Flipped);
                 self.flips.push(side);
             }
         }
@@ -131,30 +130,30 @@ impl Run {
 
     fn match_edge(&mut self, h: HalfEdgeId) {
         debug_assert!(self.marks.is_plain(h), "a flipped edge is not in 𝒦");
-        self.add(h, Mark::Matched);
+        self.add(h, EdgeMark::Matched);
     }
 
-    fn add(&mut self, h: HalfEdgeId, mark: Mark) {
+    fn add(&mut self, h: HalfEdgeId, mark: EdgeMark) {
         for side in [h, self.t.twin(h)] {
             self.marks.add(side, mark);
         }
     }
 
-    /// The flips that have not been flipped back, in the order of time. An edge is flipped at most
-    /// once, when it is new, so that its mark is enough to tell.
+    /// Iterates over the flips that have not been flipped back, in the order of time. An edge is flipped
+    /// at most once, when it is new, so that its mark is enough to tell.
     pub(super) fn lasting_flips(&self) -> impl Iterator<Item = HalfEdgeId> {
-        self.flips.iter().copied().filter(|&h| self.marks.has(h, Mark::Flipped))
+        self.flips.iter().copied().filter(|&h| self.marks.has(h, EdgeMark::Flipped))
     }
 
-    /// 𝒦 and the matching of its triangles, when all vertices are back. O(n).
+    /// Flips the edges in the order of time and returns 𝒦 with the matching of its triangles. O(n).
     pub(super) fn finish(self) -> Expanded {
         let flips: Vec<HalfEdgeId> = self.lasting_flips().collect();
         let Self { t, mut marks, .. } = self;
         let mut k = t.into_triangulation();
-        let mut places = Places::new(marks.len());
+        let mut places = Displacements::new(marks.len());
         for (i, &h) in flips.iter().enumerate() {
             prefetch_flips(&flips[i..], &k, &places, &marks);
-            let moves = k.flip(places.of(h));
+            let moves = k.flip(places.current(h));
             places.follow(&moves);
             marks.follow(&moves);
         }
@@ -162,11 +161,16 @@ impl Run {
     }
 }
 
-/// Has the cache fetch what the flips after the first of those `pending` will need, in steps, as
-/// what lies round an edge is only known when the edge is there.
+/// Prefetches what the flips after the first of `pending` read. It does so in three steps, because
+/// the neighbours' addresses are known only once the edge has been loaded.
 #[inline]
-fn prefetch_flips(pending: &[HalfEdgeId], k: &Triangulation, places: &Places, marks: &Marks) {
-    /// How many flips ahead each step is done.
+fn prefetch_flips(
+    pending: &[HalfEdgeId],
+    k: &Triangulation,
+    places: &Displacements,
+    marks: &EdgeMarks,
+) {
+    /// Distance of each step in flips.
     const AHEAD: [usize; 3] = [16, 8, 4];
     let [edge, near, far] = AHEAD.map(|by| pending.get(by).copied());
     let fetch_edge = |h| {

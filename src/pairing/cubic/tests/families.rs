@@ -3,11 +3,11 @@
 use crate::random::Random;
 
 /// Both ends of each edge.
-pub(super) type Edges = Vec<(u32, u32)>;
+pub(super) type EdgeList = Vec<(u32, u32)>;
 
 /// Calls `found` with every labelled cubic multigraph without loops of `nodes` nodes, once.
-pub(super) fn every_graph(nodes: u32, found: &mut impl FnMut(&Edges)) {
-    fn extend(edges: &mut Edges, degree: &mut [u8], found: &mut impl FnMut(&Edges)) {
+pub(super) fn every_graph(nodes: u32, found: &mut impl FnMut(&EdgeList)) {
+    fn extend(edges: &mut EdgeList, degree: &mut [u8], found: &mut impl FnMut(&EdgeList)) {
         let Some(a) = degree.iter().position(|&d| d < 3) else { return found(edges) };
         // The edges of each node in the order of their other ends.
         let from = match edges.last() {
@@ -26,31 +26,31 @@ pub(super) fn every_graph(nodes: u32, found: &mut impl FnMut(&Edges)) {
             }
         }
     }
-    extend(&mut Edges::new(), &mut vec![0; nodes as usize], found);
+    extend(&mut EdgeList::new(), &mut vec![0; nodes as usize], found);
 }
 
 /// Two rings of `k` nodes with rungs, or one of 2k with `twisted`.
-pub(super) fn ladder(k: u32, twisted: bool) -> Edges {
+pub(super) fn ladder(k: u32, twisted: bool) -> EdgeList {
     let rails = (0..k - 1).flat_map(|i| [(i, i + 1), (k + i, k + i + 1)]);
     let ends = if twisted { [(k - 1, k), (2 * k - 1, 0)] } else { [(k - 1, 0), (2 * k - 1, k)] };
     rails.chain(ends).chain((0..k).map(|i| (i, k + i))).collect()
 }
 
-/// The generalised Petersen graph G(k, step).
-pub(super) fn petersen(k: u32, step: u32) -> Edges {
+/// Returns the generalised Petersen graph G(k, step).
+pub(super) fn petersen(k: u32, step: u32) -> EdgeList {
     (0..k).flat_map(|i| [(i, (i + 1) % k), (i, k + i), (k + i, k + (i + step) % k)]).collect()
 }
 
-/// A ring of `k` double edges joined by single ones.
-pub(super) fn necklace(k: u32) -> Edges {
+/// Returns a ring of `k` double edges joined by single ones.
+pub(super) fn necklace(k: u32) -> EdgeList {
     let bead =
         |i: u32| [(2 * i, 2 * i + 1), (2 * i, 2 * i + 1), (2 * i + 1, (2 * i + 2) % (2 * k))];
     (0..k).flat_map(bead).collect()
 }
 
-/// A ring of graphs, each opened at its last edge: cuts of two edges everywhere.
-pub(super) fn ring(links: &[Edges]) -> Edges {
-    let (mut edges, mut open) = (Edges::new(), Edges::new());
+/// Returns a ring of graphs, each opened at its last edge: cuts of two edges everywhere.
+pub(super) fn ring(links: &[EdgeList]) -> EdgeList {
+    let (mut edges, mut open) = (EdgeList::new(), EdgeList::new());
     let mut first = 0;
     for link in links {
         let shifted = link.iter().map(|&(a, b)| (a + first, b + first));
@@ -64,7 +64,7 @@ pub(super) fn ring(links: &[Edges]) -> Edges {
 }
 
 /// Puts graphs into graphs: cuts of two edges, nested.
-pub(super) fn nest(depth: u32) -> Edges {
+pub(super) fn nest(depth: u32) -> EdgeList {
     let mut edges = ladder(3, true);
     for i in 0..depth {
         edges = ring(&[edges, if i % 2 == 0 { petersen(4, 1) } else { necklace(2) }]);
@@ -73,7 +73,7 @@ pub(super) fn nest(depth: u32) -> Edges {
     edges
 }
 
-pub(super) fn families() -> Vec<(&'static str, Edges)> {
+pub(super) fn families() -> Vec<(&'static str, EdgeList)> {
     vec![
         ("triple edge", vec![(0, 1); 3]),
         ("K4", ladder(2, true).into_iter().collect()),
@@ -96,22 +96,22 @@ pub(super) fn families() -> Vec<(&'static str, Edges)> {
     ]
 }
 
-/// A random cubic multigraph without loops, not always connected: stubs are paired up in random
-/// order until there is no loop.
-pub(super) fn random_graph(nodes: u32, random: &mut Random) -> Edges {
+/// Returns a random cubic multigraph without loops, not always connected: stubs are paired up in
+/// random order until there is no loop.
+pub(super) fn random_graph(nodes: u32, random: &mut Random) -> EdgeList {
     let mut stubs: Vec<u32> = (0..3 * nodes).map(|i| i / 3).collect();
     loop {
         random.shuffle(&mut stubs);
-        let edges: Edges = stubs.chunks(2).map(|pair| (pair[0], pair[1])).collect();
+        let edges: EdgeList = stubs.chunks(2).map(|pair| (pair[0], pair[1])).collect();
         if edges.iter().all(|(a, b)| a != b) {
             return edges;
         }
     }
 }
 
-/// Builds a graph from a triple edge: each step puts a new node on each of two edges, which may be the
-/// same, and joins them. No bridge can come of that.
-pub(super) fn grown(steps: &[(u32, u32)]) -> Edges {
+/// Builds a graph from a triple edge: each step puts a new node on each of two edges, which may be
+/// the same, and joins them. No bridge can come of that.
+pub(super) fn grown(steps: &[(u32, u32)]) -> EdgeList {
     let mut edges = vec![(0, 1); 3];
     for &(first, second) in steps {
         let node = edges.len() as u32 * 2 / 3;
@@ -126,7 +126,7 @@ pub(super) fn grown(steps: &[(u32, u32)]) -> Edges {
 }
 
 /// Two K4, each with a node put on one edge, and those two joined: the smallest sort of bridge.
-pub(super) fn dumbbell() -> Edges {
+pub(super) fn dumbbell() -> EdgeList {
     let half = |first: u32| {
         [(0, 1), (0, 2), (1, 2), (1, 3), (2, 3), (0, 4), (3, 4)]
             .map(|(a, b)| (a + first, b + first))

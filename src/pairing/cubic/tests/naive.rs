@@ -1,20 +1,21 @@
 //! What the definitions say of a graph on the way, and of what a decider knows of it.
 
-use super::super::graph::{Candidate, Contraction, EdgeId, Multigraph, NodeId, Reduction};
+use super::super::graph::{Candidate, DoubleEdge, EdgeId, Multigraph, NodeId, Reduction};
 use super::super::solve::Decide;
 use super::{DynamicGraph, SpanningTree};
 use crate::triangulation::IdVec;
 
-/// A low-point search (Tarjan): whether `nodes` nodes can be reached from `root`, without passing a
-/// loop or a bridge.
+/// Returns a low-point search (Tarjan): whether `nodes` nodes can be reached from `root`, without
+/// passing a loop or a bridge.
 pub(super) fn is_legal(graph: &Multigraph, root: NodeId, nodes: usize) -> bool {
-    struct Search<'g> {
+    struct LowPointSearch<'g> {
         graph: &'g Multigraph,
         reached: IdVec<NodeId, u32>,
         count: u32,
     }
-    impl Search<'_> {
-        /// The lowest number of a node that the subtree of `v` has an edge to, if all is well there.
+    impl LowPointSearch<'_> {
+        /// Returns the lowest number of a node that the subtree of `v` has an edge to, if all is
+        /// well there.
         fn low_point(&mut self, v: NodeId, via: EdgeId) -> Option<u32> {
             self.count += 1;
             let number = self.count;
@@ -36,7 +37,7 @@ pub(super) fn is_legal(graph: &Multigraph, root: NodeId, nodes: usize) -> bool {
         }
     }
     let reached = IdVec::filled(0, graph.around.len());
-    let mut search = Search { graph, reached, count: 0 };
+    let mut search = LowPointSearch { graph, reached, count: 0 };
     search.low_point(root, EdgeId::NONE) == Some(1) && search.count as usize == nodes
 }
 
@@ -56,7 +57,7 @@ impl Decide for Naive {
         [Candidate::H1, Candidate::H2].into_iter().find(is_good).expect("Frink's theorem")
     }
 
-    fn contract(&mut self, _: &Multigraph, _: &Contraction) {
+    fn contract(&mut self, _: &Multigraph, _: &DoubleEdge) {
         self.left -= 2;
     }
 
@@ -75,7 +76,7 @@ impl Audit for Naive {
     fn audit(&mut self, _: &Multigraph, _: NodeId, _: usize) {}
 }
 
-/// The nodes that can be reached from `root` by edges that `passable` lets through.
+/// Returns the nodes that can be reached from `root` by edges that `passable` lets through.
 pub(super) fn reach(
     graph: &Multigraph,
     root: NodeId,
@@ -103,7 +104,7 @@ pub(super) fn edges_at(graph: &Multigraph, nodes: &[NodeId]) -> Vec<EdgeId> {
 }
 
 impl Audit for SpanningTree {
-    /// The tree spans the graph, the forest is that tree, and every cover crosses its cut.
+    /// Checks that the tree spans the graph, the forest is that tree, and every cover crosses its cut.
     fn audit(&mut self, graph: &Multigraph, root: NodeId, nodes: usize) {
         let live = reach(graph, root, |_| true);
         let edges = edges_at(graph, &live);
@@ -127,7 +128,7 @@ impl Audit for SpanningTree {
 }
 
 impl Audit for DynamicGraph {
-    /// It has the edges of the graph, and its forest is a spanning tree, in both structures.
+    /// Checks that it has the edges of the graph and that its forest is a spanning tree, in both structures.
     fn audit(&mut self, graph: &Multigraph, root: NodeId, nodes: usize) {
         let live = reach(graph, root, |_| true);
         let edges = edges_at(graph, &live);
@@ -177,7 +178,7 @@ impl<D: Audit> Decide for Checked<D> {
         candidate
     }
 
-    fn contract(&mut self, graph: &Multigraph, double: &Contraction) {
+    fn contract(&mut self, graph: &Multigraph, double: &DoubleEdge) {
         self.decider.contract(graph, double);
         self.left -= 2;
         let mut next = graph.clone();

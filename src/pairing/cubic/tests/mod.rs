@@ -1,4 +1,5 @@
-//! Every step against a naive test of the definition, on all small graphs, families and random ones.
+//! Every step against a naive test of the definition, on all small graphs, families and random
+//! ones.
 
 mod families;
 mod naive;
@@ -8,6 +9,7 @@ use triquad_generators::random::{Mix, random_surface};
 
 use super::graph::NodeId;
 use super::*;
+use crate::dual::DualGraphError;
 use crate::mesh::Mesh;
 use crate::random::Random;
 use crate::triangulation::Triangulation;
@@ -45,21 +47,21 @@ type Matched = IdVec<EdgeId, bool>;
 
 /// A graph, and what decides about it, ready to be copied for each excluded edge.
 struct Solver<'e> {
-    edges: &'e Edges,
+    edges: &'e EdgeList,
     graph: CubicGraph,
     ds: DynamicGraph,
     gw: SpanningTree,
 }
 
 impl<'e> Solver<'e> {
-    fn new(edges: &'e Edges, graph: CubicGraph) -> Self {
+    fn new(edges: &'e EdgeList, graph: CubicGraph) -> Self {
         let component = &graph.component;
         let ds = DynamicGraph::new(&component.graph);
         let gw = SpanningTree::new(&component.graph, &component.cover);
         Self { edges, graph, ds, gw }
     }
 
-    /// A perfect matching without the edge `excluded`, checked against the definition.
+    /// Finds a perfect matching without the edge `excluded`, checked against the definition.
     fn assert_solves(&self, excluded: usize, back: Back, depth: Depth) {
         let (graph, f) = (&self.graph.component.graph, self.graph.edge[excluded]);
         let nodes = graph.around.len();
@@ -79,7 +81,7 @@ impl<'e> Solver<'e> {
     }
 }
 
-fn assert_all(edges: &Edges, excluded: impl IntoIterator<Item = usize>, depth: Depth) {
+fn assert_all(edges: &EdgeList, excluded: impl IntoIterator<Item = usize>, depth: Depth) {
     let nodes = edges.len() * 2 / 3;
     let graph = CubicGraph::from_edges(nodes, edges).unwrap_or_else(|e| panic!("{e}: {edges:?}"));
     let solver = Solver::new(edges, graph);
@@ -94,8 +96,8 @@ fn assert_all(edges: &Edges, excluded: impl IntoIterator<Item = usize>, depth: D
 
 // All small graphs.
 
-/// The lowest node not connected with node 0 without the edge `removed`, by union of sets.
-fn stray(nodes: usize, edges: &Edges, removed: Option<usize>) -> Option<usize> {
+/// Returns the lowest node not connected with node 0 without the edge `removed`, by union of sets.
+fn stray(nodes: usize, edges: &EdgeList, removed: Option<usize>) -> Option<usize> {
     let mut set: Vec<_> = (0..nodes).collect();
     for (_, &(a, b)) in edges.iter().enumerate().filter(|&(i, _)| Some(i) != removed) {
         let [from, to] = [set[a as usize], set[b as usize]];
@@ -104,8 +106,9 @@ fn stray(nodes: usize, edges: &Edges, removed: Option<usize>) -> Option<usize> {
     set.iter().position(|&s| s != set[0])
 }
 
-/// The first end of an edge that does not exist, closes a loop or is the fourth at its node.
-fn wrong_end(nodes: usize, edges: &Edges) -> Option<DualGraphError> {
+/// Returns the first end of an edge that does not exist, closes a loop or is the fourth at its
+/// node.
+fn wrong_end(nodes: usize, edges: &EdgeList) -> Option<DualGraphError> {
     let ends: Vec<_> = edges.iter().flat_map(|&(a, b)| [(a, b), (b, a)]).collect();
     (0..ends.len()).find_map(|i| {
         let (from, to) = ends[i];
@@ -119,23 +122,23 @@ fn wrong_end(nodes: usize, edges: &Edges) -> Option<DualGraphError> {
     })
 }
 
-/// The graph of these edges, or else the error, checked against the definitions.
-fn assert_verdict(nodes: usize, edges: &Edges) -> Result<CubicGraph, IllegalGraph> {
+/// Returns the graph of these edges, or else the error, checked against the definitions.
+fn assert_verdict(nodes: usize, edges: &EdgeList) -> Result<CubicGraph, CubicGraphError> {
     let verdict = CubicGraph::from_edges(nodes, edges);
     let error = verdict.as_ref().err().copied();
     let degree = |v: u32| edges.iter().filter(|&&(a, b)| a == v || b == v).count();
     let is_bridge = |i| stray(nodes, edges, Some(i)).is_some();
     let named = |pair| edges.iter().position(|&(a, b)| (a.min(b), a.max(b)) == pair).unwrap();
     let as_told = if nodes == 0 {
-        error == Some(IllegalGraph::Empty)
+        error == Some(CubicGraphError::Empty)
     } else if let Some(wrong) = wrong_end(nodes, edges) {
-        error == Some(IllegalGraph::NotADualGraph(wrong))
+        error == Some(CubicGraphError::DualGraphError(wrong))
     } else if let Some(v) = stray(nodes, edges, None) {
-        error == Some(IllegalGraph::Disconnected(v as u32))
+        error == Some(CubicGraphError::Disconnected(v as u32))
     } else if (0..nodes as u32).any(|v| degree(v) < 3) {
-        matches!(error, Some(IllegalGraph::Degree(v)) if degree(v) < 3)
+        matches!(error, Some(CubicGraphError::Degree(v)) if degree(v) < 3)
     } else if (0..edges.len()).any(is_bridge) {
-        matches!(error, Some(IllegalGraph::Bridge(a, b)) if is_bridge(named((a.min(b), a.max(b)))))
+        matches!(error, Some(CubicGraphError::Bridge(a, b)) if is_bridge(named((a.min(b), a.max(b)))))
     } else {
         error.is_none()
     };
@@ -143,8 +146,8 @@ fn assert_verdict(nodes: usize, edges: &Edges) -> Result<CubicGraph, IllegalGrap
     verdict
 }
 
-/// Solves all legal graphs of `nodes` nodes without each edge that `excluded` chooses from the number
-/// of the graph and its edges. Returns how many legal ones there are, and how many in all.
+/// Solves all legal graphs of `nodes` nodes without each edge that `excluded` chooses from the
+/// number of the graph and its edges. Returns how many legal ones there are, and how many in all.
 fn every_graph_is_solved<I: IntoIterator<Item = usize>>(
     nodes: u32,
     backs: &[Back],
@@ -173,8 +176,8 @@ fn all_graphs_of_up_to_six_nodes_are_solved() {
     assert_eq!(counts[2].1, 760);
 }
 
-/// Without one edge of each. Graphs are labelled: apart from labels, each comes hundreds of times, and
-/// every edge of it has its turn.
+/// Without one edge of each. Graphs are labelled: apart from labels, each comes hundreds of times,
+/// and every edge of it has its turn.
 #[test]
 fn all_graphs_of_eight_nodes_are_solved() {
     let backs = [Back::Ds, Back::Gw];
@@ -263,7 +266,7 @@ fn duals_of_random_surfaces_are_solved() {
         let list = Mesh::from_triangles(surface.positions, surface.triangles);
         let dual = DualGraph::new(&Triangulation::build(&list).unwrap());
         let around = |f| dual.neighbours(f).filter(move |&g| f < g).map(move |g| (f.0, g.0));
-        let edges: Edges = dual.triangles().flat_map(around).collect();
+        let edges: EdgeList = dual.triangles().flat_map(around).collect();
         let depth = if operations < 100 { Depth::Everything } else { Depth::Result };
         assert_all(&edges, [random.below(edges.len() as u32) as usize], depth);
     }
@@ -273,15 +276,15 @@ fn duals_of_random_surfaces_are_solved() {
 
 #[test]
 fn illegal_graphs_are_refused() {
-    let refusal = |nodes, edges: &Edges| CubicGraph::from_edges(nodes, edges).err();
-    assert_eq!(refusal(10, &dumbbell()), Some(IllegalGraph::Bridge(4, 9)));
-    assert_eq!(refusal(0, &vec![]), Some(IllegalGraph::Empty));
+    let refusal = |nodes, edges: &EdgeList| CubicGraph::from_edges(nodes, edges).err();
+    assert_eq!(refusal(10, &dumbbell()), Some(CubicGraphError::Bridge(4, 9)));
+    assert_eq!(refusal(0, &vec![]), Some(CubicGraphError::Empty));
     assert_eq!(
         refusal(4, &[[(0, 1); 3], [(2, 3); 3]].concat()),
-        Some(IllegalGraph::Disconnected(2))
+        Some(CubicGraphError::Disconnected(2))
     );
-    assert_eq!(refusal(2, &vec![(0, 1); 2]), Some(IllegalGraph::Degree(0)));
-    let with = |error| Some(IllegalGraph::NotADualGraph(error));
+    assert_eq!(refusal(2, &vec![(0, 1); 2]), Some(CubicGraphError::Degree(0)));
+    let with = |error| Some(CubicGraphError::DualGraphError(error));
     assert_eq!(refusal(2, &vec![(0, 1), (1, 1)]), with(DualGraphError::Loop(1)));
     assert_eq!(refusal(2, &vec![(0, 1); 4]), with(DualGraphError::Degree(0)));
     assert_eq!(refusal(2, &vec![(0, 2)]), with(DualGraphError::OutOfRange(2)));
@@ -320,7 +323,7 @@ fn damaged_graphs_are_refused_for_what_is_wrong_first() {
 #[should_panic(expected = "index out of bounds")]
 fn an_edge_that_is_not_there_cannot_be_excluded() {
     let graph = CubicGraph::from_edges(2, &[(0, 1); 3]).unwrap();
-    graph.matching_without(3, Method::LinkCutTree);
+    graph.matching_without(3, Decider::LinkCutTree);
 }
 
 #[test]
@@ -329,12 +332,12 @@ fn components_are_solved_one_by_one_and_refused_by_name() {
     edges.extend(dumbbell().iter().map(|&(a, b)| (a + 10, b + 10)));
     let dual = DualGraph::from_edges(20, &edges).unwrap();
     for solve in [diks_stanczyk, gawrychowski_wasylkiewicz] {
-        assert_eq!(solve(&dual), Err(IllegalGraph::Bridge(14, 19)));
+        assert_eq!(solve(&dual), Err(CubicGraphError::Bridge(14, 19)));
         let sound = [ladder(5, true), necklace(3).iter().map(|&(a, b)| (a + 10, b + 10)).collect()];
         let dual = DualGraph::from_edges(16, &sound.concat()).unwrap();
         assert!(solve(&dual).unwrap().certify(&dual).is_ok());
         let open = DualGraph::from_edges(3, &[(0, 1); 3]).unwrap();
-        assert_eq!(solve(&open), Err(IllegalGraph::Degree(2)));
+        assert_eq!(solve(&open), Err(CubicGraphError::Degree(2)));
         assert_eq!(solve(&DualGraph::from_edges(0, &[]).unwrap()), Ok(Matching::empty(0)));
     }
 }
@@ -344,7 +347,7 @@ fn matchings_are_of_the_edges_as_given() {
     for (_, edges) in families() {
         let nodes = edges.len() * 2 / 3;
         let graph = CubicGraph::from_edges(nodes, &edges).unwrap();
-        for (excluded, method) in (0..edges.len() as u32).zip(Method::ALL.into_iter().cycle()) {
+        for (excluded, method) in (0..edges.len() as u32).zip(Decider::ALL.into_iter().cycle()) {
             let matching = graph.matching_without(excluded, method);
             assert!(matching.is_sorted() && !matching.contains(&excluded));
             let mut met: Vec<_> =

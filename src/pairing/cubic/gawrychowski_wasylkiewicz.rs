@@ -1,24 +1,23 @@
 //! GW: a spanning tree with covers in one link-cut tree decides. O(n log n).
 //!
 //! In the spirit of P. Gawrychowski and M. Wasylkiewicz, *Finding Perfect Matchings in Bridgeless
-//! Cubic Multigraphs Without Dynamic (2-)connectivity*, ESA 2024. Their full text was not at hand; the
-//! reconstruction is proved here and in the [module's text](super), and tested.
+//! Cubic Multigraphs Without Dynamic (2-)connectivity*, ESA 2024. Their full text was not at hand;
+//! the reconstruction is proved here and in the [module's text](super), and tested.
 //!
 //! Kept for every graph on the way: a spanning tree T, and for every edge of T a *cover*, an edge
-//! outside T whose cycle with T passes it. The covers certify that there is no bridge, and they say
-//! how to mend T after u and v have been removed:
+//! outside T whose cycle with T passes it. The covers certify that there is no bridge. They also
+//! mend T after u and v have been removed:
 //!
 //! 1. T − {u, v} has K components, 1 ≤ K ≤ 4, each with a slot (w, x, y_r, y_s).
-//! 2. Let K > 1. Then u or v is a *fork*, at which T fell apart: both are if e was in T, or else those
-//!    with two more edges of T. Every component hangs by one edge of T, from a slot to a fork, which
-//!    separated it from the rest, so that edge's cover leaves the component. If it is none of the
-//!    removed edges, and its ends are not connected by now, it joins T, and K falls by one. It is
-//!    none of them if the component has but one slot, as those edges end in slots. So afterwards
-//!    K = 1, or K = 2 with two slots each.
-//! 3. K = 1: T spans H', and the rule for trees chooses. Both new edges stay outside T and become the
-//!    covers of their paths in T.
-//!    K = 2: the candidate with two edges from one component to the other. One joins T, the other
-//!    becomes the cover of its path in T, which runs over the first.
+//! 2. Let K > 1. Then u or v is a *fork*, at which T fell apart: both are if e was in T, or else
+//!    those with two more edges of T. Every component hangs by one edge of T, from a slot to a
+//!    fork, which separated it from the rest, so that edge's cover leaves the component. If it is
+//!    none of the removed edges, and its ends are not connected by now, it joins T, and K falls by
+//!    one. It is none of them if the component has but one slot, as those edges end in slots. So
+//!    afterwards K = 1, or K = 2 with two slots each.
+//! 3. K = 1: T spans H', and the rule for trees chooses. Both new edges stay outside T and become
+//!    the covers of their paths in T. K = 2: the candidate with two edges from one component to the
+//!    other. One joins T, the other becomes the cover of its path in T, which runs over the first.
 //!
 //! ```text
 //!   K = 1    w ~~~~~~ y_r                    K = 2    w ~~~~~~ x     one component
@@ -28,15 +27,16 @@
 //!            x ~~~~~~ y_s                            y_r ~~~~ y_s    the other one
 //! ```
 //!
-//! In both cases these paths make up the smallest subtree S of the new tree that has all four slots: for
-//! K = 1, each edge of S separates slots, but not, by the rule, one pair from the other. So in S all
-//! covers are new. *No other cover needs to change.* Let k be a tree edge outside S. One side X of T − k
-//! has no slot. What joined T in step 2 or 3 has components, and so slots, on both sides: it is not in X, and
-//! does not leave it; X is connected by old tree edges, none but k leaves it, and X is a side of the old T − k
-//! too. The cover of k left X. It is no removed edge, as those end in slots, u or v, and it has not
-//! joined T, or it would leave X as a second tree edge; so it is still there, and leaves X.
+//! In both cases these paths make up the smallest subtree S of the new tree that has all four
+//! slots: for K = 1, each edge of S separates slots, but not, by the rule, one pair from the other.
+//! So in S all covers are new. *No other cover needs to change.* Let k be a tree edge outside S.
+//! One side X of T − k has no slot. What joined T in step 2 or 3 has components, and so slots, on
+//! both sides: it is not in X, and does not leave it; X is connected by old tree edges, none but k
+//! leaves it, and X is a side of the old T − k too. The cover of k left X. It is no removed edge,
+//! as those end in slots, u or v, and it has not joined T, or it would leave X as a second tree
+//! edge; so it is still there, and leaves X.
 
-use super::graph::{Candidate, Contraction, EdgeId, Multigraph, NodeId, Reduction};
+use super::graph::{Candidate, DoubleEdge, EdgeId, Multigraph, NodeId, Reduction};
 use super::solve::Decide;
 use super::tree_rule::tree_rule;
 use crate::dynamic::LinkCutForest;
@@ -45,15 +45,15 @@ use crate::triangulation::IdVec;
 /// The spanning tree. 16 bytes for each node and each edge, and one for each edge.
 #[derive(Clone)]
 pub(super) struct SpanningTree {
-    /// Nodes, and behind them edges: a tree edge is a node of degree 2 whose value is its cover, other
-    /// edges are alone.
+    /// Nodes, and behind them edges: a tree edge is a node of degree 2 whose value is its cover,
+    /// other edges are alone.
     pub(super) forest: LinkCutForest,
     /// Number of nodes of the graph.
     nodes: u32,
     pub(super) in_tree: IdVec<EdgeId, bool>,
 }
 
-/// What T is without u and v. Slots are numbered in the order w, x, y_r, y_s.
+/// The remains of T without u and v. Slots are numbered in the order w, x, y_r, y_s.
 struct Rest {
     /// Number of components, K.
     count: u32,
@@ -64,7 +64,8 @@ struct Rest {
 }
 
 impl SpanningTree {
-    /// The breadth-first tree of a graph as built, with covers as `covers` finds them. O(n).
+    /// Makes the breadth-first tree of a graph as built, with the given covers.
+    /// O(n).
     pub(super) fn new(graph: &Multigraph, cover: &IdVec<NodeId, EdgeId>) -> Self {
         let nodes = graph.around.len() as u32;
         let mut in_tree = IdVec::filled(false, graph.ends.len());
@@ -81,7 +82,7 @@ impl SpanningTree {
         Self { forest, nodes, in_tree }
     }
 
-    /// The node of the forest that stands for `edge`.
+    /// Returns the node of the forest that stands for `edge`.
     pub(super) fn node(&self, edge: EdgeId) -> u32 {
         self.nodes + edge.0
     }
@@ -102,7 +103,7 @@ impl SpanningTree {
         debug_assert!(above.is_some(), "{node} is a root");
     }
 
-    /// The cover of a tree edge.
+    /// Returns the cover of a tree edge.
     fn cover(&mut self, edge: EdgeId) -> EdgeId {
         debug_assert!(self.in_tree[edge]);
         EdgeId(self.forest.value(self.node(edge)))
@@ -119,13 +120,14 @@ impl SpanningTree {
         self.forest.dissolve(&nodes[..2 + edges.len()]);
     }
 
-    /// Number K of components of T − {u, v} for an edge `e` between u and v, and the edges beside it.
+    /// Returns the number K of components of T − {u, v} for an edge `e` between u and v, and the
+    /// edges beside it.
     fn component_count(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32 {
         let hanging = beside.map(|edge| u32::from(self.in_tree[edge]));
         hanging.into_iter().sum::<u32>() - u32::from(!self.in_tree[e])
     }
 
-    /// Step 1: removes u and v.
+    /// Removes u and v (step 1).
     fn isolate(&mut self, cut: &Reduction) -> Rest {
         let slots = cut.slots();
         let hangs = slots.map(|(edge, _)| self.in_tree[edge]);
@@ -133,7 +135,8 @@ impl SpanningTree {
         let root = hangs.iter().position(|&hangs| hangs).expect("T spans the graph");
         let mut cover = [EdgeId::NONE; 4];
         if count == 1 {
-            // What is removed hangs on the rest of T as two leaves, u and v, or as one twig of both.
+            // What is removed hangs on the rest of T as two leaves, u and v, or as one twig of
+            // both.
             self.forest.evert(slots[root].1.0);
             for i in (0..4).filter(|&i| hangs[i]) {
                 self.cut_above(self.node(slots[i].0));
@@ -145,8 +148,8 @@ impl SpanningTree {
         Rest { count, root, cover }
     }
 
-    /// Cuts u and v off where T falls apart without them. Returns the covers of edges that `hang` slots
-    /// on a fork; those of edges to leaves are of no use.
+    /// Cuts u and v off where T falls apart without them. Returns the covers of edges that `hang`
+    /// slots on a fork; those of edges to leaves are of no use.
     fn isolate_forks(&mut self, cut: &Reduction, hangs: [bool; 4]) -> [EdgeId; 4] {
         let slots = cut.slots();
         let joined = self.in_tree[cut.e];
@@ -170,7 +173,7 @@ impl SpanningTree {
         cover
     }
 
-    /// Step 2: joins components by covers.
+    /// Joins components by covers (step 2).
     fn mend(&mut self, graph: &Multigraph, cut: &Reduction, rest: &mut Rest) {
         let removed = [EdgeId::NONE, cut.f, cut.c, cut.r, cut.s, cut.e];
         let mut is_whole = true;
@@ -187,7 +190,7 @@ impl SpanningTree {
         }
     }
 
-    /// Step 3 for K = 1.
+    /// Chooses by the rule for trees (step 3 for K = 1).
     fn choose_by_tree(&mut self, cut: &Reduction, root: usize) -> Candidate {
         let candidate = tree_rule(&mut self.forest, cut, root);
         let slots = cut.slots().map(|(_, node)| node.0);
@@ -200,12 +203,11 @@ impl SpanningTree {
         candidate
     }
 
-    /// Step 3 for K = 2. The excluded edge stays outside T, so that later steps find few tree edges.
+    /// Chooses the candidate between the components (step 3 for K = 2). The excluded edge stays
+    /// outside T, so that later steps find few tree edges.
     fn choose_across(&mut self, cut: &Reduction) -> Candidate {
-        let candidate = match self.connected(cut.w, cut.y_r) {
-            true => Candidate::H2,
-            false => Candidate::H1,
-        };
+        let crosses = !self.connected(cut.w, cut.y_r);
+        let candidate = if crosses { Candidate::H1 } else { Candidate::H2 };
         let [(_, near_w), (_, near_x)] = cut.joined(candidate);
         self.link(cut.c, [cut.x, near_x]);
         self.forest.assign_path(cut.w.0, near_w.0, cut.f.0);
@@ -223,9 +225,9 @@ impl Decide for SpanningTree {
         }
     }
 
-    /// `f`-`u`=`v`-`t` becomes one edge. Only if the tree passed along it, that is a tree edge.
-    fn contract(&mut self, _: &Multigraph, double: &Contraction) {
-        let Contraction { u, v, f, p, q, t, w, x } = *double;
+    /// Makes `f`-`u`=`v`-`t` one edge. It is a tree edge only if the tree passed along it.
+    fn contract(&mut self, _: &Multigraph, double: &DoubleEdge) {
+        let DoubleEdge { u, v, f, p, q, t, w, x } = *double;
         let [f_in_tree, t_in_tree] = [f, t].map(|edge| self.in_tree[edge]);
         let joined = self.in_tree[p] || self.in_tree[q];
         self.forest.evert(u.0);

@@ -1,15 +1,15 @@
 //! DS: fully dynamic connectivity and a link-cut tree decide. O(n log² n).
 //!
-//! In the spirit of K. Diks and P. Stanczyk, *Perfect matching for biconnected cubic graphs in
-//! O(n log² n) time*, SOFSEM 2010. Their full text was not at hand; the reconstruction, with the two
+//! In the spirit of K. Diks and P. Stanczyk, *Perfect matching for biconnected cubic graphs in O(n
+//! log² n) time*, SOFSEM 2010. Their full text was not at hand; the reconstruction, with the two
 //! structures that they name, is proved in the [module's text](super), and tested.
 //!
-//! The graph is kept by [`DynamicConnectivity`], with a spanning forest, and that forest once more in
-//! a [`LinkCutForest`], which can be asked about paths. A reduction deletes the five edges at u and v.
-//! If that leaves the rest in two components, both new edges must go from one to the other; if in one,
-//! the rule for trees (`super`) chooses.
+//! The graph is kept by [`DynamicConnectivity`], with a spanning forest, and that forest once more
+//! in a [`LinkCutForest`], which answers questions about paths. A reduction deletes the five edges
+//! at u and v. If that leaves the rest in two components, both new edges must go from one to the
+//! other; if in one, the rule for trees (`super`) chooses.
 
-use super::graph::{Candidate, Contraction, EdgeId, Multigraph, NodeId, Reduction};
+use super::graph::{Candidate, DoubleEdge, EdgeId, Multigraph, NodeId, Reduction};
 use super::solve::Decide;
 use super::tree_rule::tree_rule;
 use crate::dynamic::{Deletion, DynamicConnectivity, LinkCutForest};
@@ -23,7 +23,7 @@ pub(super) struct DynamicGraph {
 }
 
 impl DynamicGraph {
-    /// With a breadth-first tree of a graph as built. O(n log n).
+    /// Makes the structure for a graph as built, with its breadth-first tree. O(n log n).
     pub(super) fn new(graph: &Multigraph) -> Self {
         let nodes = graph.around.len();
         let parent = |v| graph.parent(NodeId(v)).map(|(parent, _)| parent.0);
@@ -38,8 +38,8 @@ impl DynamicGraph {
         Self { graph: connectivity, forest }
     }
 
-    /// Deletes edges, those outside the spanning forest first: they shall replace none of the others.
-    /// Returns how often a component fell in two.
+    /// Deletes edges, those outside the spanning forest first, so that they replace none of the
+    /// others. Returns the number of components that fell in two.
     fn delete<const N: usize>(&mut self, edges: [EdgeId; N]) -> u32 {
         let mut splits = 0;
         for in_tree in [false, true] {
@@ -52,7 +52,7 @@ impl DynamicGraph {
         splits
     }
 
-    /// Whether that made a component fall in two.
+    /// Deletes one edge. Returns whether a component fell in two.
     fn delete_one(&mut self, edge: EdgeId) -> bool {
         let [a, b] = self.graph.ends(edge.0);
         let deletion = self.graph.delete(edge.0);
@@ -75,7 +75,8 @@ impl DynamicGraph {
 
 impl Decide for DynamicGraph {
     fn decide(&mut self, _: &Multigraph, cut: &Reduction) -> Candidate {
-        // In this order, u and v are leaves when the last of their tree edges go: nothing is searched.
+        // In this order, u and v are leaves when the last of their tree edges go: nothing is
+        // searched.
         let splits = self.delete([cut.f, cut.c, cut.e, cut.r, cut.s]);
         debug_assert!(splits == 2 || splits == 3, "u, v and the rest in one or two components");
         let candidate = if splits == 2 {
@@ -91,13 +92,13 @@ impl Decide for DynamicGraph {
         candidate
     }
 
-    fn contract(&mut self, _: &Multigraph, double: &Contraction) {
-        let Contraction { f, p, q, t, w, x, .. } = *double;
+    fn contract(&mut self, _: &Multigraph, double: &DoubleEdge) {
+        let DoubleEdge { f, p, q, t, w, x, .. } = *double;
         self.delete([f, p, q, t]);
         self.insert(f, w, x);
     }
 
-    /// The number of tree edges to be deleted.
+    /// Returns the number of tree edges to be deleted.
     fn cost(&self, e: EdgeId, beside: [EdgeId; 4]) -> u32 {
         let tree_edge = |edge: EdgeId| u32::from(self.graph.is_tree_edge(edge.0));
         tree_edge(e) + beside.map(tree_edge).into_iter().sum::<u32>()

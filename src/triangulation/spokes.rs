@@ -11,12 +11,13 @@ pub struct Spokes<'a> {
 }
 
 impl<'a> Spokes<'a> {
-    /// All the way round, from `first`.
+    /// Starts a walk all the way round, from `first`.
     pub(super) fn round(sides: &'a IdVec<HalfEdgeId, Side>, first: HalfEdgeId) -> Self {
         Self { sides, at: Some(first), end: first }
     }
 
-    /// From `first` to before `end`, which leaves the same vertex; none if they are equal.
+    /// Starts a walk from `first` to before `end`, which leaves the same vertex. It is empty if
+    /// they are equal.
     pub(super) fn between(
         sides: &'a IdVec<HalfEdgeId, Side>,
         first: HalfEdgeId,

@@ -1,14 +1,14 @@
 //! A short search for an alternating path between two unpaired triangles of 𝒦.
 //!
-//! Two trees grow in turns, breadth first and without blossoms, until an outer triangle of one meets
-//! one of the other: with as much searched, a path may be twice as long as with one tree.
+//! Two trees grow in turns, breadth first and without blossoms, until an outer triangle of one
+//! meets one of the other. For the same search limit, paths may be twice as long as with one tree.
 
-use super::marks::{Mark, Marks};
-use crate::triangulation::{HalfEdgeId, Links};
+use super::marks::{EdgeMark, EdgeMarks};
+use crate::triangulation::{Connectivity, HalfEdgeId};
 
-/// What a search remembers; kept from one to the next to be allocated once.
+/// Memory of a search, kept from one to the next so that it is allocated once.
 #[derive(Default)]
-pub(super) struct Search {
+pub(super) struct PathSearch {
     /// The two unpaired triangles first.
     outer: Vec<Outer>,
 }
@@ -22,20 +22,21 @@ struct Outer {
     matched: HalfEdgeId,
     /// The side beyond which that mate lies, of the outer triangle before.
     side: HalfEdgeId,
-    /// The place of that in [`Search::outer`].
+    /// The place of that in [`PathSearch::outer`].
     before: u32,
-    tree: Mark,
+    tree: EdgeMark,
 }
 
-impl Search {
-    /// Pairs two unpaired triangles, each given by a side, by an alternating path that takes in no edge
-    /// but those that `allowed` lets in, if it finds one when it looks round `limit` triangles.
+impl PathSearch {
+    /// Pairs two unpaired triangles, each given by a side, by an alternating path. At most `limit`
+    /// triangles are searched, and the path adds only edges that are `allowed`. Returns whether it
+    /// found a path.
     pub(super) fn pair(
         &mut self,
         ends: [HalfEdgeId; 2],
         limit: usize,
-        k: &impl Links,
-        marks: &mut Marks,
+        k: &impl Connectivity,
+        marks: &mut EdgeMarks,
         allowed: impl Fn(HalfEdgeId) -> bool,
     ) -> bool {
         if let Some(side) = side_between(ends, k, &allowed) {
@@ -52,8 +53,8 @@ impl Search {
         for mut at in tips {
             while at > 1 {
                 let Outer { back, matched, side, before, .. } = self.outer[at];
-                marks.remove(matched, Mark::Matched);
-                marks.remove(back, Mark::Matched);
+                marks.remove(matched, EdgeMark::Matched);
+                marks.remove(back, EdgeMark::Matched);
                 add(k, marks, side);
                 at = before as usize;
             }
@@ -61,17 +62,17 @@ impl Search {
         true
     }
 
-    /// A side between outer triangles of both trees, and which they are.
+    /// Finds a side between outer triangles of both trees. Returns it with their places.
     fn find(
         &mut self,
         ends: [HalfEdgeId; 2],
         limit: usize,
-        k: &impl Links,
-        marks: &mut Marks,
+        k: &impl Connectivity,
+        marks: &mut EdgeMarks,
         allowed: impl Fn(HalfEdgeId) -> bool,
     ) -> Option<(HalfEdgeId, [usize; 2])> {
         self.outer.clear();
-        for (back, tree) in ends.into_iter().zip([Mark::FirstOuter, Mark::SecondOuter]) {
+        for (back, tree) in ends.into_iter().zip([EdgeMark::FirstOuter, EdgeMark::SecondOuter]) {
             let none = HalfEdgeId::NONE;
             self.outer.push(Outer { back, matched: none, side: none, before: 0, tree });
         }
@@ -85,25 +86,25 @@ impl Search {
         None
     }
 
-    /// Grows a tree by what lies beyond the outer triangle `at`, unless something of the other tree
-    /// does: then gives the side to it, and what it is.
+    /// Grows a tree by the triangles beyond the outer triangle `at`. If it meets the other tree,
+    /// returns the side between them and both outer triangles.
     #[inline]
     fn look_round(
         &mut self,
         at: usize,
         ends: [HalfEdgeId; 2],
-        k: &impl Links,
-        marks: &mut Marks,
+        k: &impl Connectivity,
+        marks: &mut EdgeMarks,
         allowed: &impl Fn(HalfEdgeId) -> bool,
     ) -> Option<(HalfEdgeId, [usize; 2])> {
         let Outer { back, tree, .. } = self.outer[at];
-        let goal = usize::from(tree == Mark::FirstOuter);
+        let goal = usize::from(tree == EdgeMark::FirstOuter);
         let sides = [back.next(), back.prev(), back];
         for &side in &sides[..if at < 2 { 3 } else { 2 }] {
             let across = k.twin(side);
             let allowed = allowed(side);
             let met = match marks.matched_beyond(across) {
-                // One branch: each of the three conditions is as good as random.
+                // One branch, as each of the conditions is unpredictable.
                 Some(matched) if marks.is_seen(matched, tree) | !allowed => false,
                 Some(matched) => self.reach(at, tree, [side, matched], k, marks),
                 None => allowed && across.triangle() == ends[goal].triangle(),
@@ -117,39 +118,39 @@ impl Search {
         None
     }
 
-    /// Grows `tree` by the triangle beyond side `matched` of a neighbour that it has not seen, unless that
-    /// is an outer triangle of the other tree; says whether it is.
+    /// Grows `tree` by the triangle beyond side `matched` of a neighbour that it has not seen.
+    /// Returns true instead if that is an outer triangle of the other tree.
     #[inline]
     fn reach(
         &mut self,
         before: usize,
-        tree: Mark,
+        tree: EdgeMark,
         [side, matched]: [HalfEdgeId; 2],
-        k: &impl Links,
-        marks: &mut Marks,
+        k: &impl Connectivity,
+        marks: &mut EdgeMarks,
     ) -> bool {
         if marks.is_visited(matched) {
             return true;
         }
         let back = k.twin(matched);
-        marks.add(matched, Mark::Inner);
+        marks.add(matched, EdgeMark::Inner);
         marks.add(back, tree);
         self.outer.push(Outer { back, matched, side, before: before as u32, tree });
         false
     }
 }
 
-/// The side of the triangle of `one` that leads to that of `other`, if one does that is `allowed`:
-/// two searches of three are over with it.
+/// Returns the side of the triangle of `one` that leads to that of `other`, if there is an allowed
+/// one. This resolves two thirds of all searches.
 #[inline]
 fn side_between(
     [one, other]: [HalfEdgeId; 2],
-    k: &impl Links,
+    k: &impl Connectivity,
     allowed: &impl Fn(HalfEdgeId) -> bool,
 ) -> Option<HalfEdgeId> {
     let goal = other.triangle();
     let mut found = HalfEdgeId::NONE;
-    // Without branches, as nobody can tell which side it is.
+    // Branch-free: the side is unpredictable.
     for side in [one, one.prev(), one.next()] {
         let leads_there = (k.twin(side).triangle() == goal) & allowed(side);
         found = if leads_there { side } else { found };
@@ -157,8 +158,8 @@ fn side_between(
     found.some()
 }
 
-fn add(k: &impl Links, marks: &mut Marks, side: HalfEdgeId) {
+fn add(k: &impl Connectivity, marks: &mut EdgeMarks, side: HalfEdgeId) {
     for side in [side, k.twin(side)] {
-        marks.add(side, Mark::Matched);
+        marks.add(side, EdgeMark::Matched);
     }
 }

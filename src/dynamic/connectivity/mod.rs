@@ -1,18 +1,18 @@
-//! Fully dynamic connectivity: edges come and go, and any two nodes may be asked about in between.
+//! Fully dynamic connectivity: edges come and go, with queries of any two nodes in between.
 //!
 //! Holm, de Lichtenberg and Thorup, *Poly-logarithmic deterministic fully-dynamic algorithms for
 //! connectivity, minimum spanning tree, 2-edge, and biconnectivity* (2001), section 3.
 //!
-//! A spanning forest F of the graph says who is connected. Every edge has a level, 0 at first, which
-//! only rises. F_i is the part of F with levels of at least i, and
+//! A spanning forest F of the graph determines the connected pairs. Every edge has a level, 0 at
+//! first, which only rises. F_i is the part of F with levels of at least i, and
 //!
 //! * the ends of an edge of level i are connected in F_i,
 //! * a tree of F_i has at most n / 2^i nodes.
 //!
-//! When an edge of F of level l is deleted, its tree falls in two, in F_0, …, F_l. The levels from l
-//! down to 0 are searched for an edge that joins the halves again. At level i the smaller half has at
-//! most n / 2^(i+1) nodes, so its tree edges of level i may rise to i + 1. So may then any edge of
-//! level i with both ends in that half; one with its other end outside is the replacement.
+//! When an edge of F of level l is deleted, its tree falls in two, in F_0, …, F_l. The levels from
+//! l down to 0 are searched for an edge that joins the halves again. At level i the smaller half
+//! has at most n / 2^(i+1) nodes, so its tree edges of level i may rise to i + 1. So may then any
+//! edge of level i with both ends in that half; one with its other end outside is the replacement.
 //!
 //! ```text
 //!      smaller half        other half        h rises: to look at it was in vain, which thus happens
@@ -21,14 +21,15 @@
 //!         ---o------g--------o----o
 //! ```
 //!
-//! The forests are Euler-tour trees in one arena. A vertex has a node in the tour of F_i as long as it
-//! has edges there; each node knows the node of the same element one level up. A way of a tree edge is
-//! marked in the tour of the edge's own level, and a vertex in that of a level at which it has
-//! non-tree edges, which hang on it in a list.
+//! The forests are Euler-tour trees in one arena. A vertex has a node in the tour of F_i as long as
+//! it has edges there; each node knows the node of the same element one level up. A way of a tree
+//! edge is marked in the tour of the edge's own level, and a vertex in that of a level at which it
+//! has non-tree edges, which hang on it in a list.
 
-use super::{EulerTourForest, Mark, NONE};
+use super::euler_tour::{EulerTourForest, NodeMark};
+use super::none::NONE;
 
-/// What the deletion of an edge did to the spanning forest.
+/// Effect of a deletion on the spanning forest.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Deletion {
     /// Nothing: the edge was not in it.
@@ -39,9 +40,9 @@ pub enum Deletion {
     Split,
 }
 
-/// What is known of an edge.
+/// One edge.
 #[derive(Clone, Copy)]
-struct Edge {
+struct EdgeRecord {
     ends: [u32; 2],
     /// Of a non-tree edge, its neighbours in the lists of its two ends.
     next: [u32; 2],
@@ -50,16 +51,17 @@ struct Edge {
     way: u32,
 }
 
-const NO_EDGE: Edge = Edge { ends: [NONE; 2], next: [NONE; 2], previous: [NONE; 2], way: NONE };
+const NO_EDGE: EdgeRecord =
+    EdgeRecord { ends: [NONE; 2], next: [NONE; 2], previous: [NONE; 2], way: NONE };
 
 /// Fewer than 2^30 nodes, so no level exceeds 29.
 const LEVELS: usize = 30;
 
-/// How many edges of a level are tried as replacements before any rises. A constant, so that bounds
-/// stay what they are; see [`DynamicConnectivity::replacement`].
+/// Number of edges of a level that are tried as replacements before any rises. A constant, so that
+/// the bounds hold; see [`DynamicConnectivity::replacement`].
 const TRIALS: u32 = 16;
 
-/// What came of trying some edges.
+/// Outcome of trying some edges.
 enum Trial {
     Found(u32),
     /// There was none, and all have been tried.
@@ -69,7 +71,7 @@ enum Trial {
 
 /// A multigraph without loops over the nodes `0..n`, whose edges are named by the caller.
 ///
-/// Insertion and deletion are O(log² n) amortised, a question O(log n); everything is deterministic.
+/// Insertion and deletion are O(log² n) amortised, a query O(log n). Everything is deterministic.
 /// At least 96 bytes a node (32 + 64 for a tree edge) and 29 for each edge name, and 96 for each
 /// further level at which a vertex has tree edges.
 ///
@@ -88,19 +90,20 @@ enum Trial {
 pub struct DynamicConnectivity {
     /// Number of nodes.
     nodes: u32,
-    /// How many edges of a level are tried before any rises.
+    /// Number of edges of a level that are tried before any rises.
     trials: u32,
     tours: EulerTourForest,
     /// For each node of a tour, that of the same vertex or way one level up.
     above: Vec<u32>,
     /// For each node of a vertex, the first non-tree edge of this level.
     first: Vec<u32>,
-    edges: Vec<Edge>,
+    edges: Vec<EdgeRecord>,
     level: Vec<u8>,
 }
 
 impl DynamicConnectivity {
-    /// `n` nodes and no edges; edges will have names below `edge_names`. O(n + `edge_names`).
+    /// Makes a graph of `n` nodes and no edges, for edges with names below `edge_names`. O(n +
+    /// `edge_names`).
     ///
     /// # Panics
     /// If `n` is not below 2^30, or `edge_names` exceeds that.
@@ -123,12 +126,12 @@ impl DynamicConnectivity {
         }
     }
 
-    /// Whether there is an edge of this name. O(1).
+    /// Returns whether there is an edge of this name. O(1).
     pub fn contains(&self, edge: u32) -> bool {
         self.edges[edge as usize].ends != NO_EDGE.ends
     }
 
-    /// The ends of an edge, as they were given; O(1).
+    /// Returns the ends of an edge, as they were given; O(1).
     ///
     /// # Panics
     /// If there is no such edge.
@@ -137,17 +140,17 @@ impl DynamicConnectivity {
         self.edges[edge as usize].ends
     }
 
-    /// Whether the edge is in the spanning forest. O(1).
+    /// Returns whether the edge is in the spanning forest. O(1).
     pub fn is_tree_edge(&self, edge: u32) -> bool {
         self.edges[edge as usize].way != NONE
     }
 
-    /// Whether `a` and `b` are connected.
+    /// Returns whether `a` and `b` are connected.
     pub fn connected(&mut self, a: u32, b: u32) -> bool {
         self.tours.connected(a, b)
     }
 
-    /// Number of nodes connected with `a`, itself included.
+    /// Returns the number of nodes connected with `a`, itself included.
     pub fn component_size(&mut self, a: u32) -> u32 {
         self.tours.vertex_count(a)
     }
@@ -166,14 +169,14 @@ impl DynamicConnectivity {
         let joins = !self.connected(a, b);
         if joins {
             self.edges[edge as usize].way = self.link([a, b], edge);
-            self.tours.set_mark(self.edges[edge as usize].way, Mark::Tree, true);
+            self.tours.set_mark(self.edges[edge as usize].way, NodeMark::Tree, true);
         } else {
             self.hang(edge, [a, b]);
         }
         joins
     }
 
-    /// Deletes an edge and tells what that did to the spanning forest.
+    /// Deletes an edge and returns the effect on the spanning forest.
     ///
     /// # Panics
     /// If there is no such edge.
@@ -204,10 +207,12 @@ impl DynamicConnectivity {
         replacement.map_or(Deletion::Split, |(found, _)| Deletion::Replaced(found))
     }
 
-    /// An edge of level `i` between the trees of F_i that have nodes `halves`, taken from its lists.
+    /// Returns an edge of level `i` between the trees of F_i that have nodes `halves`, taken from
+    /// its lists.
     ///
-    /// A few edges are tried where they are, which costs no more than to find the halves: often one of
-    /// them will do, or there are no others. Otherwise, what is looked at in vain rises to level i + 1.
+    /// A few edges are tried where they are, which costs no more than to find the halves: often one
+    /// of them will do, or there are no others. Otherwise, what is looked at in vain rises to level
+    /// i + 1.
     fn replacement(&mut self, halves: [u32; 2], i: u8) -> Option<u32> {
         let [one, other] = halves.map(|half| self.tours.vertex_count(half));
         let small = halves[usize::from(one > other)];
@@ -217,10 +222,10 @@ impl DynamicConnectivity {
             Trial::NoneLeft => return None,
             Trial::Unknown => {}
         }
-        while let Some(way) = self.tours.first_marked(small, Mark::Tree) {
+        while let Some(way) = self.tours.first_marked(small, NodeMark::Tree) {
             self.raise_tree_edge(way, i);
         }
-        while let Some(x) = self.tours.first_marked(small, Mark::NonTree) {
+        while let Some(x) = self.tours.first_marked(small, NodeMark::NonTree) {
             let edge = self.first[x as usize];
             let nodes = self.nodes_of(edge, x, i);
             let inside = self.tours.connected(nodes[0], nodes[1]);
@@ -235,11 +240,11 @@ impl DynamicConnectivity {
         None
     }
 
-    /// Looks at the first few non-tree edges of level `i` at the tree of `small` in F_i; one that leads
-    /// out is taken from its lists.
+    /// Tries the first few non-tree edges of level `i` at the tree of `small` in F_i. One that
+    /// leads out is removed from its lists.
     fn try_some(&mut self, small: u32, i: u8) -> Trial {
         let mut left = self.trials;
-        let mut next = self.tours.first_marked(small, Mark::NonTree);
+        let mut next = self.tours.first_marked(small, NodeMark::NonTree);
         while let Some(x) = next {
             let mut edge = self.first[x as usize];
             while edge != NONE {
@@ -253,12 +258,12 @@ impl DynamicConnectivity {
                 let end = self.end_at(edge, self.tours.label(x));
                 edge = self.edges[edge as usize].next[end];
             }
-            next = self.tours.next_marked(x, Mark::NonTree);
+            next = self.tours.next_marked(x, NodeMark::NonTree);
         }
         Trial::NoneLeft
     }
 
-    /// The nodes of the ends of `edge` in F_i, one of which is `x`.
+    /// Returns the nodes of the ends of `edge` in F_i, one of which is `x`.
     fn nodes_of(&mut self, edge: u32, x: u32, i: u8) -> [u32; 2] {
         let v = self.tours.label(x);
         let ends = self.edges[edge as usize].ends;
@@ -267,16 +272,17 @@ impl DynamicConnectivity {
 
     /// Makes the tree edge of level `i` with this way in F_i one of level i + 1.
     fn raise_tree_edge(&mut self, way: u32, i: u8) {
-        self.tours.set_mark(way, Mark::Tree, false);
+        self.tours.set_mark(way, NodeMark::Tree, false);
         let edge = self.tours.label(way);
         self.level[edge as usize] = i + 1;
         let nodes = self.edges[edge as usize].ends.map(|v| self.vertex_at(v, i + 1));
         let raised = self.link(nodes, edge);
         self.above[way as usize] = raised;
-        self.tours.set_mark(raised, Mark::Tree, true);
+        self.tours.set_mark(raised, NodeMark::Tree, true);
     }
 
-    /// Makes `edge`, which is in no list, a tree edge of `level`: links its ends in F_0, …, F_level.
+    /// Makes `edge`, which is in no list, a tree edge of `level`: links its ends in F_0, …,
+    /// F_level.
     fn plant(&mut self, edge: u32, level: u8) {
         let mut nodes = self.edges[edge as usize].ends;
         let mut way = self.link(nodes, edge);
@@ -287,7 +293,7 @@ impl DynamicConnectivity {
             self.above[way as usize] = up;
             way = up;
         }
-        self.tours.set_mark(way, Mark::Tree, true);
+        self.tours.set_mark(way, NodeMark::Tree, true);
     }
 
     /// Links two vertices of one tour forest; returns the new way.
@@ -298,7 +304,7 @@ impl DynamicConnectivity {
         way
     }
 
-    /// The arena of tours may have grown.
+    /// Extends the arrays after the arena of tours may have grown.
     fn know_new_nodes(&mut self) {
         let bound = self.tours.name_bound();
         if self.above.len() < bound {
@@ -307,7 +313,7 @@ impl DynamicConnectivity {
         }
     }
 
-    /// The node of the vertex `v` in F_level, made if there is none.
+    /// Returns the node of the vertex `v` in F_level, made if there is none.
     fn vertex_at(&mut self, v: u32, level: u8) -> u32 {
         let mut node = v;
         for _ in 0..level {
@@ -323,7 +329,7 @@ impl DynamicConnectivity {
         node
     }
 
-    /// All nodes of the vertex `v`, from F_0 upwards.
+    /// Returns all nodes of the vertex `v`, from F_0 upwards.
     fn chain(&self, v: u32) -> [u32; LEVELS] {
         let mut chain = [NONE; LEVELS];
         let mut node = v;
@@ -357,7 +363,7 @@ impl DynamicConnectivity {
             self.edges[edge as usize].next[end] = old;
             self.edges[edge as usize].previous[end] = NONE;
             if old == NONE {
-                self.tours.set_mark(node, Mark::NonTree, true);
+                self.tours.set_mark(node, NodeMark::NonTree, true);
             } else {
                 let v = self.edges[edge as usize].ends[end];
                 let end = self.end_at(old, v);
@@ -368,7 +374,7 @@ impl DynamicConnectivity {
 
     /// Takes a non-tree edge out of the lists of `nodes`, its ends in the tours of its level.
     fn unhang(&mut self, edge: u32, nodes: [u32; 2]) {
-        let Edge { ends, next, previous, .. } = self.edges[edge as usize];
+        let EdgeRecord { ends, next, previous, .. } = self.edges[edge as usize];
         for (end, node) in nodes.into_iter().enumerate() {
             let (v, next, previous) = (ends[end], next[end], previous[end]);
             if next != NONE {
@@ -381,13 +387,13 @@ impl DynamicConnectivity {
             } else {
                 self.first[node as usize] = next;
                 if next == NONE {
-                    self.tours.set_mark(node, Mark::NonTree, false);
+                    self.tours.set_mark(node, NodeMark::NonTree, false);
                 }
             }
         }
     }
 
-    /// Which end of `edge` the node `v` is.
+    /// Returns which end of `edge` the node `v` is, 0 or 1.
     fn end_at(&self, edge: u32, v: u32) -> usize {
         usize::from(self.edges[edge as usize].ends[1] == v)
     }

@@ -1,11 +1,12 @@
-//! The link condition: which edges can be contracted (Ramaswami-Siqueira, section 2).
+//! The link condition, which decides whether an edge can be contracted (Ramaswami-Siqueira, section
+//! 2).
 
 use super::{HalfEdgeId, IdVec, ShrinkingTriangulation, VertexId};
 
 impl ShrinkingTriangulation {
-    /// Whether contracting the edge of `h` keeps the surface: no vertex but the apexes of its two
-    /// triangles is joined to both ends, and the component is not the tetrahedron (Ramaswami-Siqueira,
-    /// section 2, *link condition*). O(deg u + deg v).
+    /// Returns whether contracting the edge of `h` keeps the surface: no vertex but the apexes of
+    /// its two triangles is joined to both ends, and the component is not the tetrahedron
+    /// (Ramaswami-Siqueira, section 2, *link condition*). O(deg u + deg v).
     pub fn is_contractible(&self, h: HalfEdgeId, marks: &mut LinkMarks) -> bool {
         let (u, v) = (self.origin(h), self.destination(h));
         if self.star[u].degree == 3 || self.star[v].degree == 3 {
@@ -30,7 +31,7 @@ pub struct LinkMarks {
 }
 
 impl LinkMarks {
-    /// Unset marks for `vertices` vertices. O(n), 4 bytes a vertex.
+    /// Makes unset marks for `vertices` vertices. O(n), 4 bytes a vertex.
     pub fn new(vertices: usize) -> Self {
         Self { stamp: IdVec::filled(0, vertices), now: 0 }
     }

@@ -1,19 +1,18 @@
-//! What the cache is told to fetch before it is needed: neighbours in a mesh may lie far apart in
-//! memory.
+//! Prefetching for contractions and splits: neighbours in a mesh may lie far apart in memory.
 
 use super::{
-    ExpandingTriangulation, HalfEdgeId, Id, Links, ShrinkingTriangulation, VertexId, VertexSplit,
+    Connectivity, ExpandingTriangulation, HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit,
 };
 use crate::prefetch::prefetch;
 
 impl ShrinkingTriangulation {
-    /// Has the cache fetch half-edge `h`.
+    /// Prefetches half-edge `h`.
     #[inline]
     pub(crate) fn prefetch(&self, h: HalfEdgeId) {
         prefetch(self.sides.as_slice(), h.index());
     }
 
-    /// Has the cache fetch what is known of vertex `v`.
+    /// Prefetches the data of vertex `v`.
     #[inline]
     pub(crate) fn prefetch_star(&self, v: VertexId) {
         prefetch(self.star.as_slice(), v.index());
@@ -21,12 +20,12 @@ impl ShrinkingTriangulation {
 }
 
 impl ExpandingTriangulation {
-    /// Has the cache fetch what the splits of the last of the receipts `pending` will need, in steps,
-    /// as what lies round an edge is only known when the edge is there. The last few splits of all do
-    /// without.
+    /// Prefetches what the splits of the last receipts of `pending` read. It does so in three
+    /// steps, because the neighbours' addresses are known only once the edge has been loaded. The
+    /// last 15 splits are not prefetched.
     #[inline]
     pub(crate) fn prefetch_splits(&self, pending: &[VertexSplit]) {
-        /// How many receipts ahead the first step is done; the others half of it, and a quarter.
+        /// Distance of the first step in receipts; the others follow at a half and a quarter of it.
         const AHEAD: usize = 16;
         let Some(ahead) = pending.last_chunk::<AHEAD>() else { return };
         let [edge, near, far] = [0, AHEAD / 2, AHEAD * 3 / 4].map(|place| ahead[place].half_edge());

@@ -1,0 +1,151 @@
+//! The table of algorithms: id and function of each.
+
+use super::cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
+use std::str::FromStr;
+
+use super::eager_rescue::eager_rescue;
+use super::initial::InitialPairing;
+use super::lrs::{Expansion, lrs};
+use super::pulli_segal::pulli_segal;
+use super::simple_greedy::simple_greedy;
+use crate::names::{UnknownNameError, find, serde_as_string};
+use crate::random::Random;
+use crate::triangulation::Triangulation;
+
+/// An algorithm that pairs up triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Algorithm {
+    /// `tq`: ours, the Pulli-Segal heuristic that rescues every stranded triangle at once.
+    EagerRescue,
+    /// `sg`: simple greedy, edges in random order (Lemos et al., section 3.1).
+    SimpleGreedy,
+    /// `ps`: the greedy algorithm of Pulli and Segal, triangles in random order (section 3.1).
+    PulliSegal,
+    /// `ds`: Frink's reductions with dynamic connectivity, in the spirit of Diks and Stanczyk
+    /// (section 3.2). Perfect straight away; the seed is ignored.
+    DiksStanczyk,
+    /// `gw`: Frink's reductions with a link-cut tree alone, in the spirit of Gawrychowski and
+    /// Wasylkiewicz (2024). Perfect straight away; the seed is ignored.
+    GawrychowskiWasylkiewicz,
+    /// `lrs`: contraction, and expansion with edge flips (section 3.3).
+    Lrs(Expansion),
+}
+
+impl Algorithm {
+    /// All algorithms, those with variants as published.
+    pub const ALL: [Self; 6] = [
+        Self::EagerRescue,
+        Self::SimpleGreedy,
+        Self::PulliSegal,
+        Self::DiksStanczyk,
+        Self::GawrychowskiWasylkiewicz,
+        Self::Lrs(Expansion::Printed),
+    ];
+
+    /// Returns the name on the command line and in records.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::EagerRescue => "tq",
+            Self::SimpleGreedy => "sg",
+            Self::PulliSegal => "ps",
+            Self::DiksStanczyk => "ds",
+            Self::GawrychowskiWasylkiewicz => "gw",
+            Self::Lrs(_) => "lrs",
+        }
+    }
+
+    /// Pairs up triangles of `triangulation`.
+    ///
+    /// Equal input and equal `random` give equal output. O(n); `ds` O(n log² n), `gw` O(n log n).
+    pub fn pair<'t>(
+        self,
+        triangulation: &'t Triangulation,
+        random: &mut Random,
+    ) -> InitialPairing<'t> {
+        match self {
+            Self::EagerRescue => InitialPairing::from_input(triangulation, eager_rescue),
+            Self::SimpleGreedy => {
+                InitialPairing::from_input(triangulation, |dual| simple_greedy(dual, random))
+            }
+            Self::PulliSegal => {
+                InitialPairing::from_input(triangulation, |dual| pulli_segal(dual, Some(random)))
+            }
+            // A triangulation is closed, so its dual graph is cubic. It is bridgeless: the edge
+            // across side ab lies on the ring of triangles round a, exactly once, as a and b
+            // differ.
+            Self::DiksStanczyk => {
+                InitialPairing::from_input(triangulation, |dual| diks_stanczyk(dual).expect(LEGAL))
+            }
+            Self::GawrychowskiWasylkiewicz => InitialPairing::from_input(triangulation, |dual| {
+                gawrychowski_wasylkiewicz(dual).expect(LEGAL)
+            }),
+            Self::Lrs(expansion) => lrs(triangulation, expansion),
+        }
+    }
+}
+
+const LEGAL: &str = "the dual graph of a closed surface is cubic and bridgeless";
+
+impl std::fmt::Display for Algorithm {
+    /// Writes the id, and behind it the variant if that is not the published one.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Lrs(variant) if *variant != Expansion::default() => {
+                write!(f, "{} {variant}", self.id())
+            }
+            _ => f.write_str(self.id()),
+        }
+    }
+}
+
+impl FromStr for Algorithm {
+    type Err = UnknownNameError;
+
+    /// Reads an id, or an id and a variant separated by a space, as in `lrs few-flips`.
+    fn from_str(name: &str) -> Result<Self, UnknownNameError> {
+        match name.split_once(' ') {
+            Some(("lrs", variant)) => variant.parse().map(Self::Lrs),
+            _ => find("pairing algorithm", &Self::ALL, Self::id, name),
+        }
+    }
+}
+
+serde_as_string!(Algorithm);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn algorithms_are_read_back_as_they_are_written() {
+        let variants = Expansion::ALL.map(Algorithm::Lrs);
+        for algorithm in Algorithm::ALL.into_iter().chain(variants) {
+            assert_eq!(algorithm.to_string().parse(), Ok(algorithm));
+        }
+        assert_eq!("lrs printed".parse(), Ok(Algorithm::Lrs(Expansion::Printed)));
+    }
+
+    #[test]
+    fn unknown_algorithms_are_refused_with_the_names_there_are() {
+        let refusal = |name: &str| name.parse::<Algorithm>().unwrap_err().to_string();
+        assert_eq!(
+            refusal("mst"),
+            "\"mst\" is no pairing algorithm; use one of: tq, sg, ps, ds, gw, lrs"
+        );
+        assert_eq!(
+            refusal("lrs no-flips"),
+            "\"no-flips\" is no expansion of lrs; use one of: printed, few-flips"
+        );
+    }
+
+    #[cfg(feature = "serde")]
+    #[test]
+    fn algorithms_are_strings_in_json() {
+        let json = serde_json::to_string(&Algorithm::Lrs(Expansion::FewFlips)).unwrap();
+        assert_eq!(json, "\"lrs few-flips\"");
+        let back: Algorithm = serde_json::from_str(&json).unwrap();
+        assert_eq!(back, Algorithm::Lrs(Expansion::FewFlips));
+        assert!(serde_json::from_str::<Algorithm>("\"mst\"").is_err());
+    }
+}
