@@ -1,13 +1,26 @@
 # Everything here needs a Rust toolchain and nothing else.
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
 CARGO ?= cargo
-TRIQUAD := $(or $(CARGO_TARGET_DIR),target)/release/triquad
+# Builds from nothing are a third shorter without; `cargo test` by hand keeps it.
+export CARGO_INCREMENTAL := 0
+TARGET := $(or $(CARGO_TARGET_DIR),target)
+TRIQUAD := $(TARGET)/release/triquad
 EXPERIMENTS := experiments/comparison.toml experiments/irreducible.toml
 # Where results go; the small ones of `make demo` beside them.
 OUT ?= results/local
 # A folder with meshes of your own: scans of the papers are taken from there, others run too.
 DATA ?=
+# Feature sets of the library that must compile, separated by commas; `none` is none of them.
+FEATURES := none files serde files,serde
+# Crates in the order in which they are published, and the most bytes that one may have.
+PACKAGES := triquad-generators triquad triquad-render triquad-lab triquad-cli
+PACKAGE_BYTES := 1000000
+# Seconds that each fuzz target runs.
+FUZZ_SECONDS ?= 60
 
-.PHONY: help build reproduce demo compare report test check bench clean toolchain
+.PHONY: help build reproduce demo compare report test check features dependencies bench fuzz package
+.PHONY: clean toolchain
 
 help:
 	@echo "make reproduce  the papers' experiments: small ones first, a page after a minute; then all of"
@@ -16,8 +29,10 @@ help:
 	@echo "make compare    what the papers claim, and what came of it here"
 	@echo "make report     tables, plots and the page of OUT, made anew from its records"
 	@echo "make build      the tool, target/release/triquad"
-	@echo "make test       format, lints, documentation, all tests"
+	@echo "make test       format, lints, documentation, all tests; ends with the tests that skipped"
 	@echo "make bench      times and memory; MESHES='a.obj b.ply' for your own, LEMON=program for a yardstick"
+	@echo "make fuzz       every reader on arbitrary bytes, FUZZ_SECONDS each; needs cargo-fuzz"
+	@echo "make package    the crates as they are published, checked"
 	@echo "make clean      remove what was built; results stay"
 
 toolchain:
@@ -40,17 +55,48 @@ compare: build
 report: build
 	$(TRIQUAD) report $(OUT)
 
-check: toolchain
+check: toolchain dependencies
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
-	$(CARGO) clippy --package triquad --lib --no-default-features -- -D warnings
+	$(MAKE) --no-print-directory features
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --no-deps --quiet
 
+# The default features are checked with the workspace.
+features: toolchain
+	@for features in $(FEATURES); do \
+	  echo "features: $$features"; \
+	  $(CARGO) clippy --quiet --package triquad --lib --tests --no-default-features \
+	    --features "$${features/none/}" -- -D warnings; \
+	done
+
+# What `cargo add triquad` brings: at most 15 crates without default features, 42 with them.
+dependencies: toolchain
+	@crates() { $(CARGO) tree --package triquad --edges normal,build --target all --prefix none \
+	  --no-dedupe "$$@" | grep -v '^triquad v' | sort -u | wc -l; }; \
+	bare=$$(crates --no-default-features); default=$$(crates); \
+	echo "dependencies of triquad: $$bare without default features, $$default with them"; \
+	[ "$$bare" -le 15 ] && [ "$$default" -le 42 ] || { echo "at most 15 and 42 are allowed" >&2; exit 1; }
+
 test: check
-	$(CARGO) test --workspace -- --include-ignored
+	$(CARGO) test --workspace -- --include-ignored --show-output 2>&1 | tee $(TARGET)/tests.log
+	@.ci/skipped $(TARGET)/tests.log
 
 bench: toolchain
 	$(CARGO) bench --bench speed
+
+fuzz: toolchain
+	@for reader in $$($(CARGO) fuzz list); do \
+	  $(CARGO) fuzz run --sanitizer none "$$reader" -- -max_total_time=$(FUZZ_SECONDS); \
+	done
+
+package: toolchain
+	$(CARGO) package --workspace
+	@version=$$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1); \
+	for name in $(PACKAGES); do \
+	  bytes=$$(wc -c <"$(TARGET)/package/$$name-$$version.crate"); \
+	  echo "$$name: $$bytes bytes"; \
+	  [ "$$bytes" -lt $(PACKAGE_BYTES) ] || { echo "at most $(PACKAGE_BYTES) are allowed" >&2; exit 1; }; \
+	done
 
 clean:
 	$(CARGO) clean

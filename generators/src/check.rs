@@ -1,7 +1,7 @@
 //! A brute-force checker for the tests of this crate: hash maps only, none of the generators'
 //! own structures.
 
-use crate::Surface;
+use crate::surface::Surface;
 use std::collections::{HashMap, HashSet};
 
 /// What [`inspect`] found out about a surface.
@@ -142,15 +142,6 @@ fn passes_through([p, q]: [[f64; 3]; 2], [a, b, c]: [[f64; 3]; 3]) -> bool {
 /// The directed edges of all triangles.
 pub(crate) fn directed_edges(surface: &Surface) -> HashSet<(u32, u32)> {
     surface.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).collect()
-}
-
-/// A linear congruential generator as `below`: its upper bits are random enough for tests.
-pub(crate) fn draws(seed: u64) -> impl FnMut(u32) -> u32 {
-    let mut state = seed;
-    move |n| {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (((state >> 32) * u64::from(n)) >> 32) as u32
-    }
 }
 
 /// Asserts that the edges opposite to `v` form a single path or cycle.

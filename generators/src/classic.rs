@@ -1,9 +1,9 @@
 //! The smallest closed surfaces, where algorithms first meet their special cases, and the
 //! non-orientable and open surfaces that they have to refuse or handle apart.
 
-use crate::Surface;
 use crate::circle::circle;
 use crate::grids::grid_triangles;
+use crate::surface::Surface;
 
 /// The tetrahedron: 4 vertices of degree 3, 4 triangles. Regular, outward.
 pub fn tetrahedron() -> Surface {

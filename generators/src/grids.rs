@@ -3,8 +3,8 @@
 //! Neighbouring triangles have neighbouring numbers, as in a file written by a careful program;
 //! relabel with [`crate::sculptor::Sculptor::relabel`] for the opposite.
 
-use crate::Surface;
 use crate::circle::circle;
+use crate::surface::Surface;
 
 /// The unit sphere as an octahedron with each face cut into `n` × `n` and projected: `4n² + 2`
 /// vertices, `8n²` triangles, outward. Six vertices have degree 4, all others 6. O(n²).

@@ -5,13 +5,14 @@
 //! * [`grids`]: regular spheres and tori of any size;
 //! * [`organic`]: smooth, irregular shapes of any genus;
 //! * [`sculptor`]: small edits that keep a closed surface valid, fit for property tests;
-//! * [`random`]: random surfaces of any genus, and irregular versions of regular ones.
+//! * [`random`]: random surfaces of any genus, and irregular versions of regular ones;
+//! * `testing` (feature `testing`): what the tests of several crates share.
 //!
 //! The closed orientable surfaces are consistently oriented, counter-clockwise seen from outside
-//! where they are embedded. The crate has no dependencies and no random numbers of its own: who
-//! wants randomness passes a function `below` such that `below(n)` is a uniform draw from `0..n`.
-//! Nothing here calls a mathematical function whose last bit differs between platforms, so equal
-//! arguments give equal bits everywhere.
+//! where they are embedded. Without the feature the crate has no dependencies. The generators have
+//! no random numbers of their own: callers pass a function `below` such that `below(n)` is a uniform
+//! draw from `0..n`. Nothing here calls a mathematical function whose last bit differs between
+//! platforms, so equal arguments give equal bits everywhere.
 //!
 //! ```
 //! use triquad_generators::{grids, random};
@@ -31,16 +32,16 @@ pub mod grids;
 pub mod organic;
 pub mod random;
 pub mod sculptor;
+#[cfg(any(test, feature = "testing"))]
+pub mod testing;
 
 #[cfg(test)]
 mod check;
 mod circle;
+mod surface;
 
-/// A triangulated surface as plain arrays.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Surface {
-    /// Coordinates of each vertex.
-    pub positions: Vec<[f64; 3]>,
-    /// The three vertices of each triangle, as indices into `positions`.
-    pub triangles: Vec<[u32; 3]>,
-}
+pub use surface::Surface;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -2,9 +2,9 @@
 //!
 //! `below(n)` is always a uniform draw from `0..n`; equal draws give equal surfaces.
 
-use crate::Surface;
 use crate::classic::{octahedron, seven_vertex_torus, tetrahedron};
 use crate::sculptor::{Operation, Sculptor};
+use crate::surface::Surface;
 
 /// Which operations make a random surface, and so what it looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,8 +116,9 @@ pub fn irregular(surface: &Surface, rounds: usize, below: &mut dyn FnMut(u32) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::{assert_distinct_positions, assert_oriented, degrees, draws};
+    use crate::check::{assert_distinct_positions, assert_oriented, degrees};
     use crate::grids::{sphere, torus};
+    use crate::testing::draws;
 
     #[test]
     fn random_surfaces_have_their_genus() {

@@ -38,3 +38,7 @@ pub use image::Image;
 pub use polygons::Polygons;
 pub use request::{Lines, Picture};
 pub use section::Section;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

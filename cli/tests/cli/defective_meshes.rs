@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use triquad::{Survey, Triangulation, mesh};
+use triquad::{Mesh, Survey, Triangulation};
 
 /// The folder of real defective meshes; none where it is absent.
 fn folder() -> Option<PathBuf> {
@@ -33,7 +33,7 @@ fn defective_meshes_are_refused_with_one_line() {
         let output = outputs.path().join("quads.obj");
         let run = convert(&path, &output);
         let message = String::from_utf8(run.stderr).unwrap();
-        let list = mesh::read(&path).unwrap();
+        let list = Mesh::read(&path).unwrap();
         if let Err(survey) = Triangulation::build(&list) {
             assert_refused(&name, run.status.code(), &message, &survey);
             refused += 1;

@@ -5,12 +5,13 @@ use std::io::{Read as _, Write as _};
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 
-use crate::surfaces::{beside, face_list, random_of};
+use crate::surfaces::face_list;
 use serde_json::Value;
 use tempfile::TempDir;
 use triquad::Law;
-use triquad::mesh::{self, Faces, Format, Mesh, Output};
+use triquad::mesh::{Faces, Format, Mesh, Output};
 use triquad_generators::random::Mix;
+use triquad_generators::testing::{beside, random_of};
 use triquad_generators::{Surface, classic, grids};
 
 // Running the tool.
@@ -53,7 +54,7 @@ impl Workshop {
     }
 
     fn mesh(&self, name: &str) -> Mesh {
-        mesh::read(&self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+        Mesh::read(&self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
     /// The names of all files and folders.
@@ -141,7 +142,7 @@ const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 
 
 fn bytes_of(surface: &Surface, format: Format) -> Vec<u8> {
     let mut bytes = Vec::new();
-    mesh::write_as(format, &mut bytes, &face_list(surface)).unwrap();
+    face_list(surface).write_to(&mut bytes, format).unwrap();
     bytes
 }
 
@@ -369,7 +370,7 @@ fn data_and_summary_do_not_mix() {
     serde_json::from_slice::<Value>(&run.stdout).unwrap();
     assert_eq!(run.stderr.lines().count(), 1, "{}", run.stderr);
     let run = workshop.run("convert in.obj -o - --stats stats.json");
-    assert_eq!(mesh::parse(&run.stdout, Format::Obj).unwrap().faces.len(), 2);
+    assert_eq!(Mesh::parse(&run.stdout, Format::Obj).unwrap().faces().len(), 2);
     assert_eq!(run.stderr.lines().count(), 1, "{}", run.stderr);
     let line = workshop.fail("convert in.obj -o - --stats -", 2);
     assert_contains(&line, &["-o -", "--stats -", "file"], "both to standard output");
@@ -1169,7 +1170,7 @@ fn irreducible_minds_its_files() {
     assert_contains(&line, &["open.obj", "boundary-edge"], "an open mesh");
     let run = workshop.run_with_input("irreducible - -o -", TETRAHEDRON.as_bytes());
     assert_eq!(run.code, Some(0), "{run:?}");
-    let result = mesh::parse(&run.stdout, Format::Obj).unwrap();
+    let result = Mesh::parse(&run.stdout, Format::Obj).unwrap();
     assert_eq!((result.positions.len(), result.faces.len()), (4, 4));
     assert_contains(&run.stderr, &["4 vertices", "irreducible"], "the summary");
 }

@@ -1,11 +1,11 @@
 //! From counts to a surface: two plates, the sides between them, and the shafts.
 
-use super::BoxShape;
 use super::array::{Place, places};
+use super::cell_surface::{CellSurface, between};
 use super::diagonals::{is_turned, is_turned_around};
 use super::lattice::{DEPTH, HEIGHT, Lattice, Part, SHAFT, gap, share};
-use super::mesh::{Mesh, between};
-use crate::Surface;
+use super::shape::BoxShape;
+use crate::surface::Surface;
 
 /// No vertex, or no shaft.
 const NONE: u32 = u32::MAX;
@@ -17,7 +17,7 @@ pub(super) fn surface(shape: &BoxShape) -> Surface {
     let mut builder = Builder {
         axes: [0, 1].map(|axis| Axis::new(&lattice, axis)),
         places: places(lattice.columns, lattice.cavities, lattice.holes),
-        mesh: Mesh::new(shape.vertices as usize, lattice.cell_count(), centres),
+        cells: CellSurface::new(shape.vertices as usize, lattice.cell_count(), centres),
         plates: Default::default(),
         floor: Grid::default(),
         loops: Default::default(),
@@ -27,7 +27,7 @@ pub(super) fn surface(shape: &BoxShape) -> Surface {
     builder.plate(Plate::Bottom);
     builder.plate(Plate::Top);
     builder.sides();
-    let surface = builder.mesh.into_surface();
+    let surface = builder.cells.into_surface();
     debug_assert_eq!(surface.positions.len(), shape.vertices as usize);
     surface
 }
@@ -134,7 +134,7 @@ struct Builder {
     lattice: Lattice,
     axes: [Axis; 2],
     places: Vec<Place>,
-    mesh: Mesh,
+    cells: CellSurface,
     plates: [Grid; 2],
     /// The floor of a cavity, and the loops at the ends of its walls: scratch.
     floor: Grid,
@@ -176,7 +176,7 @@ impl Builder {
         for x in 0..self.axes[0].lines.len() {
             let open = self.is_open(plate, self.axes[0].column_around(x), row);
             let position = [self.axes[0].lines[x], self.axes[1].lines[y], height];
-            let vertex = if open { NONE } else { self.mesh.vertex(position) };
+            let vertex = if open { NONE } else { self.cells.vertex(position) };
             self.plates[plate as usize].vertices.push(vertex);
         }
     }
@@ -189,7 +189,7 @@ impl Builder {
                 let [a, b, c, d] = self.plates[plate as usize].cell([x, y]);
                 let corners = if plate == Plate::Top { [a, b, c, d] } else { [d, c, b, a] };
                 let turned = self.axes[0].is_turned(x).or(self.axes[1].is_turned(y));
-                self.mesh.cell(corners, turned == Some(true));
+                self.cells.cell(corners, turned == Some(true));
             }
         }
     }
@@ -210,7 +210,7 @@ impl Builder {
                 Part::Hole
             }
             _ => {
-                lay_floor(&mut self.floor, &self.axes, &mut self.mesh, corner, size);
+                lay_floor(&mut self.floor, &self.axes, &mut self.cells, corner, size);
                 self.floor.rim([0, 0], size, lower);
                 Part::Cavity
             }
@@ -223,10 +223,10 @@ impl Builder {
         let extra = share(self.shafts, self.lattice.extra_rings, shafts);
         self.shafts += 1;
         let turned = |step| is_turned_around(size[0], step);
-        self.mesh.walls(upper, lower, self.lattice.cells(part) + extra, turned);
+        self.cells.walls(upper, lower, self.lattice.cells(part) + extra, turned);
         if place == Place::Cavity {
             for [x, y] in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| [x, y])) {
-                self.mesh.cell(self.floor.cell([x, y]), is_turned(x));
+                self.cells.cell(self.floor.cell([x, y]), is_turned(x));
             }
         }
     }
@@ -237,7 +237,7 @@ impl Builder {
         let [upper, lower] = &mut self.loops;
         self.plates[Plate::Top as usize].rim([0, 0], size, upper);
         self.plates[Plate::Bottom as usize].rim([0, 0], size, lower);
-        self.mesh.walls(upper, lower, self.lattice.cells(Part::Side), |_| false);
+        self.cells.walls(upper, lower, self.lattice.cells(Part::Side), |_| false);
     }
 }
 
@@ -245,7 +245,7 @@ impl Builder {
 fn lay_floor(
     floor: &mut Grid,
     axes: &[Axis; 2],
-    mesh: &mut Mesh,
+    cells: &mut CellSurface,
     corner: [usize; 2],
     size: [usize; 2],
 ) {
@@ -253,7 +253,7 @@ fn lay_floor(
     floor.vertices.clear();
     for y in &axes[1].lines[corner[1]..=corner[1] + size[1]] {
         for x in &axes[0].lines[corner[0]..=corner[0] + size[0]] {
-            floor.vertices.push(mesh.vertex([*x, *y, HEIGHT - DEPTH]));
+            floor.vertices.push(cells.vertex([*x, *y, HEIGHT - DEPTH]));
         }
     }
 }

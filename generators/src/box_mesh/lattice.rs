@@ -1,6 +1,6 @@
 //! How many cells each part of a box gets: arithmetic on counts, no geometry.
 
-use super::BoxShape;
+use super::shape::BoxShape;
 
 /// Height of the box.
 pub(crate) const HEIGHT: f64 = 1.0;

@@ -2,9 +2,8 @@
 
 use super::array::{Place, places};
 use super::*;
-use crate::check::{
-    assert_distinct_positions, assert_oriented, degree_six_share, draws, signed_volume,
-};
+use crate::check::{assert_distinct_positions, assert_oriented, degree_six_share, signed_volume};
+use crate::testing::draws;
 
 /// Cavities, holes, columns: full and partly filled arrays, mixed and not.
 const SHAPES: [(u32, u32, u32); 11] = [

@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::check::{
-    assert_distinct_positions, assert_embedded, assert_oriented, determinant, draws, signed_volume,
+    assert_distinct_positions, assert_embedded, assert_oriented, determinant, signed_volume,
 };
+use crate::testing::draws;
 use std::collections::HashMap;
 
 #[test]

@@ -1,6 +1,6 @@
 //! The surgery that the operations are made of; half-edges are indices here.
 
-use super::{HalfEdge, Sculptor};
+use super::half_edges::{HalfEdge, Sculptor, next, previous};
 
 impl Sculptor {
     /// The half-edge meant by an arbitrary number.
@@ -146,14 +146,4 @@ impl Sculptor {
         }
         self.half_edges.truncate(last);
     }
-}
-
-/// The next half-edge of the same face.
-pub(super) fn next(h: usize) -> usize {
-    if h % 3 == 2 { h - 2 } else { h + 1 }
-}
-
-/// The previous half-edge of the same face.
-pub(super) fn previous(h: usize) -> usize {
-    if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }

@@ -1,9 +1,10 @@
 //! Every operation against its definition on plain sets of triangles.
 
 use super::*;
-use crate::check::{assert_oriented, degrees, directed_edges, draws};
+use crate::check::{assert_oriented, degrees, directed_edges};
 use crate::classic::{octahedron, seven_vertex_torus, tetrahedron};
 use crate::grids::{sphere, torus};
+use crate::testing::draws;
 use std::collections::BTreeSet;
 
 /// The triangles, each starting with its smallest corner.

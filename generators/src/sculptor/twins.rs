@@ -1,7 +1,6 @@
 //! Adjacency of a triangle list: which half-edges belong together, and is it a surface at all.
 
-use super::HalfEdge;
-use super::surgery::{next, previous};
+use super::half_edges::{HalfEdge, next, previous};
 
 /// The half-edges of faces with the given corners, twins found by sorting. O(n log n).
 ///

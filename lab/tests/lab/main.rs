@@ -1,6 +1,7 @@
 //! Tests of the lab through its public items, in one program.
 
 mod claims;
+mod damaged_files;
 mod figures;
 mod generate;
 mod page;

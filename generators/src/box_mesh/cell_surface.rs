@@ -1,10 +1,10 @@
 //! Surfaces put together from quadrilateral cells.
 
-use crate::Surface;
+use crate::surface::Surface;
 
 /// A surface under construction. Of a known number of cells, some get a vertex in their centre,
 /// spread evenly in the order of the cells.
-pub(super) struct Mesh {
+pub(super) struct CellSurface {
     surface: Surface,
     cells: u64,
     centres: u64,
@@ -12,8 +12,8 @@ pub(super) struct Mesh {
     phase: u64,
 }
 
-impl Mesh {
-    /// An empty mesh that will have `vertices` vertices, `centres` of them in the centres of its
+impl CellSurface {
+    /// An empty surface that will have `vertices` vertices, `centres` of them in the centres of its
     /// `cells` cells.
     pub(super) fn new(vertices: usize, cells: u64, centres: u64) -> Self {
         debug_assert!(centres <= cells);

@@ -4,38 +4,19 @@
 //! simple closed oriented triangulation. A property test can therefore generate and shrink plain
 //! lists of [`Operation`]s without ever leaving the surfaces it wants to test.
 //!
-//! Face `f` owns half-edges `3f`, `3f + 1`, `3f + 2`, counter-clockwise; each knows the vertex it
-//! leaves and its twin on the other side of the edge. The implementation is deliberately
-//! independent of any library it is used to test.
+//! The implementation is deliberately independent of any library it is used to test.
 
+mod half_edges;
 mod surgery;
 mod twins;
 
 #[cfg(test)]
 mod tests;
 
-use crate::Surface;
-use surgery::{next, previous};
+use crate::surface::Surface;
+use half_edges::{HalfEdge, next, previous};
 
-/// A simple closed oriented triangulation that can be edited.
-///
-/// Coordinates are carried along but promise nothing: after flips and joins the surface may pass
-/// through itself, and vertices may coincide.
-#[derive(Clone, Debug)]
-pub struct Sculptor {
-    positions: Vec<[f64; 3]>,
-    /// Three for each face.
-    half_edges: Vec<HalfEdge>,
-}
-
-/// One side of an edge.
-#[derive(Clone, Copy, Debug)]
-struct HalfEdge {
-    /// The vertex it leaves.
-    origin: u32,
-    /// The half-edge on the other side.
-    twin: u32,
-}
+pub use half_edges::Sculptor;
 
 /// One edit of a surface; the number is taken modulo the number of faces or half-edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -21,8 +21,8 @@ mod rounding;
 #[cfg(test)]
 mod tests;
 
-use crate::Surface;
 use crate::box_mesh::{BoxShape, lattice::columns};
+use crate::surface::Surface;
 use noise::{Noise, octaves};
 use rounding::Rounding;
 

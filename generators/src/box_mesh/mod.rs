@@ -22,63 +22,18 @@
 
 pub(crate) mod array;
 mod build;
+mod cell_surface;
 mod diagonals;
 pub(crate) mod lattice;
-mod mesh;
+mod shape;
 
 #[cfg(test)]
 mod tests;
 
-use crate::Surface;
+use crate::surface::Surface;
 use lattice::Lattice;
-use std::fmt;
 
-/// What box is wanted. All its shafts together form an `m` × `m` array, `m` the least number whose
-/// square suffices; with 3,844 shafts that is the array of the papers, 62 × 62.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct BoxShape {
-    /// Shafts that end inside the box.
-    pub cavities: u32,
-    /// Shafts that go through: the genus.
-    pub holes: u32,
-    /// Vertices of the surface, exactly.
-    pub vertices: u32,
-}
-
-/// Why there is no such box.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ImpossibleBox {
-    /// Fewer vertices than the corners of the faces and of the grid through them.
-    TooFewVertices {
-        /// What was asked for.
-        vertices: u32,
-        /// The least number possible with these cavities and holes, as
-        /// [`BoxShape::minimum_vertices`].
-        minimum: u64,
-    },
-    /// A surface like this, or the smallest with these cavities and holes, has more than 2³¹
-    /// half-edges.
-    TooManyHalfEdges {
-        /// How many it would have.
-        half_edges: u64,
-    },
-}
-
-impl fmt::Display for ImpossibleBox {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFewVertices { vertices, minimum } => {
-                write!(f, "a box with these cavities and holes has at least {minimum} vertices, ")?;
-                write!(f, "not {vertices}")
-            }
-            Self::TooManyHalfEdges { half_edges } => {
-                write!(f, "the box would have {half_edges} half-edges, more than 2^31")
-            }
-        }
-    }
-}
-
-impl std::error::Error for ImpossibleBox {}
+pub use shape::{BoxShape, ImpossibleBox};
 
 impl BoxShape {
     /// The fewest vertices of a box with these cavities and holes: 8 without any, otherwise

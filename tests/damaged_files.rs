@@ -1,0 +1,153 @@
+//! Thousands of damaged files for every reader: none panics, none takes much memory, and what is
+//! refused is refused with its place in the file.
+//!
+//! A program of its own, because its allocator counts, and its tests take turns.
+
+use std::io::Write as _;
+use std::sync::Mutex;
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use peak_alloc::PeakAlloc;
+use triquad::Mesh;
+use triquad::mesh::{Format, MeshError};
+use triquad_generators::testing::{damaged, draws};
+
+#[global_allocator]
+static ALLOCATOR: PeakAlloc = PeakAlloc;
+
+/// Held by the test that measures memory.
+static TURN: Mutex<()> = Mutex::new(());
+
+/// Damaged files of each kind.
+const FILES: u32 = 6000;
+
+/// Memory that a reader may take for buffers of its own, whatever the file.
+const BUFFERS: usize = 3 << 20;
+/// Memory that a reader may take for each byte of the file.
+const MEMORY_PER_BYTE: usize = 64;
+
+const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0.5 -1e-3\nv .5 1 0\nv 0 0 1 # fourth\nvt 0 1\nvt 1 1\n\
+                   vn 0 0 1\no thing\ng left\nusemtl red\ns 1\nf 1/1/1 3/2/1 2/1/1\nf 1//1 2//1 4//1\n\
+                   usemtl blue\nf 2 3 \\\n -1\nf -4 -1 -2\n";
+const OFF: &str = "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n1 0.5 -1e-3\n.5 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n\
+                   3 1 2 3 255 0 0\n3 0 3 2\n";
+const PLY: &str = "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\n\
+                   property double y\nproperty float z\nproperty uchar red\nelement face 4\n\
+                   property list uchar int vertex_indices\nproperty list uint8 float texcoord\n\
+                   element edge 1\nproperty int a\nend_header\n0 0 0 1\n1 0.5 -1e-3 2\n.5 1 0 3\n\
+                   0 0 1 255\n3 0 2 1 0\n3 0 1 3 2 .5 .5\n3 1 2 3 0\n3 0 3 2 0\n7\n";
+const STL: &str = "solid thing\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0.5 -1e-3\n\
+                   vertex .5 1 0\nendloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n\
+                   vertex .5 1 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid thing\n";
+
+/// The faces of a tetrahedron.
+const FACES: [[u8; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+
+fn coordinates() -> impl Iterator<Item = f32> {
+    FACES.into_iter().flatten().flat_map(|v| [0, 1, 2].map(|axis| f32::from(v * axis)))
+}
+
+fn binary_ply(encoding: &str, bytes_of: fn(f32) -> [u8; 4]) -> Vec<u8> {
+    let header = format!(
+        "ply\nformat {encoding} 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
+         property float z\nelement face 4\nproperty list uchar uchar vertex_indices\nend_header\n"
+    );
+    let mut bytes = header.into_bytes();
+    bytes.extend(coordinates().take(12).flat_map(bytes_of));
+    bytes.extend(FACES.iter().flat_map(|&[a, b, c]| [3, a, b, c]));
+    bytes
+}
+
+fn binary_stl() -> Vec<u8> {
+    let mut bytes = vec![b' '; 80];
+    bytes.extend(4u32.to_le_bytes());
+    let coordinates: Vec<_> = coordinates().collect();
+    for corners in coordinates.chunks(9) {
+        bytes.extend([0; 12]);
+        bytes.extend(corners.iter().flat_map(|x| x.to_le_bytes()));
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+/// One member for each half of `text`.
+fn gzipped(text: &[u8]) -> Vec<u8> {
+    let (first, second) = text.split_at(text.len() / 2);
+    let member = |bytes: &[u8]| {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+        encoder.write_all(bytes).unwrap();
+        encoder.finish().unwrap()
+    };
+    [member(first), member(second)].concat()
+}
+
+/// Reads `bytes` and returns the error, if there is one, and the memory that this took at most.
+fn read(bytes: &[u8], format: Format) -> (Option<MeshError>, usize) {
+    let before = ALLOCATOR.current_usage();
+    ALLOCATOR.reset_peak_usage();
+    let error = Mesh::parse(bytes, format).err();
+    (error, ALLOCATOR.peak_usage().saturating_sub(before))
+}
+
+fn assert_has_place(error: &MeshError) {
+    let has_place = match error {
+        MeshError::Malformed { problem, .. } => !problem.is_empty(),
+        MeshError::Truncated { missing, .. } => !missing.is_empty(),
+        MeshError::TooLarge => true,
+        _ => false,
+    };
+    let message = error.to_string();
+    assert!(has_place && !error.remedy().is_empty(), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message:?}");
+}
+
+/// Damages `valid`, which is read, and reads what comes of it. `growth` is how much longer a text
+/// may be than the file.
+fn assert_survived(valid: &[u8], format: Format, growth: usize) {
+    let _turn = TURN.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    assert!(read(valid, format).0.is_none(), "the file is valid before it is damaged");
+    let others = [OBJ, OFF, PLY, STL].map(str::as_bytes);
+    let mut below = draws(valid.len() as u64);
+    let mut refused = 0;
+    for _ in 0..FILES {
+        let other = others[below(4) as usize];
+        let bytes = damaged(valid, other, &mut below);
+        let (error, memory) = read(&bytes, format);
+        let most = BUFFERS + MEMORY_PER_BYTE * growth * bytes.len();
+        assert!(memory <= most, "{memory} bytes for {:?}", String::from_utf8_lossy(&bytes));
+        error.iter().for_each(assert_has_place);
+        refused += u32::from(error.is_some());
+    }
+    assert!((FILES / 10..FILES).contains(&refused), "{refused} of {FILES} were refused");
+}
+
+#[test]
+fn damaged_obj_files_are_survived() {
+    assert_survived(OBJ.as_bytes(), Format::Obj, 1);
+}
+
+#[test]
+fn damaged_off_files_are_survived() {
+    assert_survived(OFF.as_bytes(), Format::Off, 1);
+}
+
+#[test]
+fn damaged_ply_files_are_survived() {
+    assert_survived(PLY.as_bytes(), Format::Ply, 1);
+    assert_survived(&binary_ply("binary_little_endian", f32::to_le_bytes), Format::Ply, 1);
+    assert_survived(&binary_ply("binary_big_endian", f32::to_be_bytes), Format::Ply, 1);
+}
+
+#[test]
+fn damaged_stl_files_are_survived() {
+    assert_survived(STL.as_bytes(), Format::Stl, 1);
+    assert_survived(&binary_stl(), Format::Stl, 1);
+}
+
+/// Deflate makes a text at most 1032 times as long.
+#[test]
+fn damaged_gzip_files_are_survived() {
+    assert_survived(&gzipped(OFF.as_bytes()), Format::Off, 1032);
+    assert_survived(&gzipped(OBJ.as_bytes()), Format::Obj, 1032);
+}
