@@ -2,16 +2,15 @@
 
 use std::path::PathBuf;
 
-use triquad_lab::experiment::Results;
 use triquad_lab::report::{Judged, Summary, Verdict, compare};
 
 use crate::failure::Failure;
-use crate::stdio;
+use crate::{report, stdio};
 
 /// Judge every claim of the two papers on the records of a results folder
 ///
-/// A line a claim: verdict, name, our number, the paper's; why, where it is not reproduced. Counts of
-/// verdicts at the end. Claims that differ are no failure.
+/// A line a claim: verdict, name, our number, the paper's; why, where it is not reproduced. Counts
+/// of verdicts at the end. Claims that differ are no failure.
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad compare results/laptop")]
 pub struct Arguments {
@@ -23,14 +22,13 @@ pub struct Arguments {
 /// Prints the verdicts.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let folder = arguments.folder.display();
-    let results = Results::read(&arguments.folder)
-        .map_err(|error| Failure::bad(format!("{error}; 'triquad run' makes such a folder")))?;
+    let results = report::read(&arguments.folder)?;
     if results.records.is_empty() {
         return Err(Failure::bad(format!(
             "{folder}: runs.csv has no records; 'triquad run' adds some"
         )));
     }
-    let comparison = compare::judge(&Summary::of(&results));
+    let comparison = compare::judge(&Summary::new(&results));
     let width = comparison.verdicts.iter().map(|judged| judged.id.len()).max().unwrap_or(0);
     for judged in &comparison.verdicts {
         stdio::say(&line(judged, width))?;
@@ -39,7 +37,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     stdio::say(&format!("{} claims: {}", comparison.verdicts.len(), counts.join(", ")))
 }
 
-/// One claim, in columns.
+/// Writes one claim in columns.
 fn line(judged: &Judged, width: usize) -> String {
     let number = |number: &String| if number.is_empty() { "-".into() } else { number.clone() };
     let (ours, paper) = (number(&judged.ours), number(&judged.paper));

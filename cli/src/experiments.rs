@@ -1,8 +1,8 @@
-//! What `plan` and `run` have in common: experiment files, data folders, scale, shard.
+//! Options that `plan` and `run` share: experiment files, data folders, scale, shard.
 
 use std::path::PathBuf;
 
-use triquad_lab::experiment::data::{self, DataMesh};
+use triquad_lab::experiment::data_folder::{self, DataMesh};
 use triquad_lab::experiment::estimate::Estimate;
 use triquad_lab::experiment::plan::Plan;
 use triquad_lab::experiment::spec::Experiment;
@@ -20,8 +20,8 @@ pub struct Selection {
     /// How large the papers' meshes are made: full, small (a twentieth) or demo (a hundredth)
     #[arg(long, default_value = "full", value_name = "SCALE", value_parser = one_of(Scale::ALL, Scale::id))]
     scale: Scale,
-    /// A folder with meshes of your own: scans of the papers by name ('botijo.obj', 'eros.ply.gz' …),
-    /// others under the names of their files. May be given more than once
+    /// A folder with meshes of your own: scans of the papers by name ('botijo.obj', 'eros.ply.gz'
+    /// …), others under the names of their files. May be given more than once
     #[arg(long, value_name = "DIR")]
     data: Vec<PathBuf>,
     /// Only the I-th of N parts, of which another machine may take another
@@ -42,23 +42,21 @@ fn parse_shard(text: &str) -> Result<(usize, usize), String> {
 }
 
 impl Selection {
-    /// The plan of the selected runs.
+    /// Returns the plan of the selected runs.
     pub fn plan(&self) -> Result<Plan, Failure> {
         let mut experiments = Vec::new();
         for file in &self.files {
-            let read = Experiment::read(file);
-            experiments.push(read.map_err(|error| {
+            let mut experiment = Experiment::read(file).map_err(|error| {
                 Failure::bad(format!(
                     "{error}; see experiments/README.md for what such a file says"
                 ))
-            })?);
-        }
-        for experiment in &mut experiments {
+            })?;
             if let Some(seconds) = self.timeout {
                 experiment.limits.timeout_seconds = seconds;
             }
+            experiments.push(experiment);
         }
-        let plan = Plan::of(&experiments, self.scale, &self.data()?);
+        let plan = Plan::new(&experiments, self.scale, &self.data()?);
         let mut plan = plan.map_err(|error| {
             Failure::bad(format!("{error}; name its folder with --data, or take it out"))
         })?;
@@ -69,16 +67,12 @@ impl Selection {
     }
 
     fn data(&self) -> Result<Vec<DataMesh>, Failure> {
-        data::survey(&self.data).map_err(|(folder, error)| {
-            Failure::bad(format!(
-                "{}: {error}; --data names a folder with meshes",
-                folder.display()
-            ))
-        })
+        data_folder::survey(&self.data)
+            .map_err(|error| Failure::bad(format!("{error}; --data names a folder with meshes")))
     }
 }
 
-/// `3 min`, `2.5 GB`: an estimate in words.
+/// Writes an estimate in words: `about 3 min, 2.5 GB of memory, …`.
 pub fn in_words(estimate: &Estimate) -> String {
     let gigabytes = |bytes: f64| format!("{:.1} GB", bytes / 1e9);
     format!(
@@ -89,7 +83,7 @@ pub fn in_words(estimate: &Estimate) -> String {
     )
 }
 
-/// `40 s`, `3 min`, `2 h 05 min`.
+/// Writes a time in words: `40 s`, `3 min`, `2 h 05 min`.
 pub fn duration(seconds: f64) -> String {
     let minutes = (seconds / 60.0).round() as u64;
     match minutes {

@@ -14,7 +14,8 @@ use crate::names::one_of;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 
-/// Make a mesh of chosen size and genus: a box with shafts, a stand-in for a scan, one of the papers'
+/// Make a mesh of chosen size and genus: a box with shafts, a stand-in for a scan, one of the
+/// papers'
 ///
 /// The same arguments make the same bytes on every machine.
 #[derive(Args)]
@@ -25,11 +26,11 @@ use crate::{input, stdio};
 )]
 pub struct Arguments {
     #[command(subcommand)]
-    kind: Kind,
+    mesh: MeshCommand,
 }
 
 #[derive(Subcommand)]
-enum Kind {
+enum MeshCommand {
     Box(BoxArguments),
     StandIn(StandInArguments),
     Paper(PaperArguments),
@@ -107,25 +108,26 @@ struct Target {
 
 #[derive(Args)]
 pub struct CacheOption {
-    /// Where meshes are kept that take long to make [default: 'triquad' in the user's folder for caches]
+    /// Where meshes are kept that take long to make [default: 'triquad' in the user's folder for
+    /// caches]
     #[arg(long, value_name = "DIR", env = "TRIQUAD_CACHE")]
     cache: Option<PathBuf>,
 }
 
 /// Makes and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    match &arguments.kind {
-        Kind::Box(wanted) => {
+    match &arguments.mesh {
+        MeshCommand::Box(wanted) => {
             let BoxArguments { vertices, cavities, holes, .. } = *wanted;
             let recipe = Recipe::Box(BoxShape { cavities, holes, vertices });
             make(&recipe, holes, &wanted.target.output, None)
         }
-        Kind::StandIn(wanted) => {
+        MeshCommand::StandIn(wanted) => {
             let StandInArguments { vertices, genus, seed, .. } = *wanted;
             let recipe = Recipe::StandIn { vertices, genus, seed };
             make(&recipe, genus, &wanted.target.output, wanted.cache.folder().map(Cache::new))
         }
-        Kind::Paper(wanted) => {
+        MeshCommand::Paper(wanted) => {
             let PaperMesh { recipe, genus, .. } = wanted.mesh.at(wanted.scale);
             make(&recipe, genus, &wanted.target.output, wanted.cache.folder().map(Cache::new))
         }
@@ -133,7 +135,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl CacheOption {
-    /// Where the cache is, if there is a place for one.
+    /// Returns the folder of the cache, if the system has a place for one.
     pub fn folder(&self) -> Option<PathBuf> {
         let usual = || dirs::cache_dir().map(|folder| folder.join("triquad"));
         self.cache.clone().or_else(usual)

@@ -19,7 +19,6 @@ mod irreducible;
 mod machine;
 mod merge;
 mod names;
-mod pictures;
 mod plan;
 mod progress;
 mod report;

@@ -21,7 +21,7 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Merges.
+/// Merges the folders and prints what came of it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let merged = merge(&arguments.folders, &arguments.out).map_err(|error| {
         Failure::bad(format!("{error}; name folders that 'triquad run' has written"))

@@ -30,7 +30,7 @@ fn matrix(plan: &Plan) -> String {
     let mut text = String::new();
     let mut heading = String::new();
     for block in plan.blocks.iter().filter(|block| is_first(plan, block)) {
-        let group = format!("{} / {}", block.experiment, block.group);
+        let group = format!("{} / {}", block.id.experiment, block.id.group);
         if group != heading {
             let _ = writeln!(text, "{group}");
             heading = group;
@@ -43,7 +43,7 @@ fn matrix(plan: &Plan) -> String {
             text,
             "  {:<28} {:<10} {:>9} triangles, genus {:<5} {:>9}  {}",
             mesh.name,
-            mesh.kind(),
+            mesh.kind().id(),
             mesh.triangles,
             mesh.genus,
             duration(seconds),
@@ -51,22 +51,19 @@ fn matrix(plan: &Plan) -> String {
         );
     }
     let runs: usize = plan.blocks.iter().map(|block| block.runs.len()).sum();
-    let _ = write!(text, "{runs} runs: {}", in_words(&Estimate::of(plan)));
+    let _ = write!(text, "{runs} runs: {}", in_words(&Estimate::new(plan)));
     text
 }
 
 fn same_mesh<'a>(plan: &'a Plan, block: &'a Block) -> impl Iterator<Item = &'a Block> {
-    plan.blocks.iter().filter(move |other| {
-        (&other.experiment, &other.group, &other.mesh.name)
-            == (&block.experiment, &block.group, &block.mesh.name)
-    })
+    plan.blocks.iter().filter(move |other| other.id == block.id)
 }
 
 fn is_first(plan: &Plan, block: &Block) -> bool {
     same_mesh(plan, block).next().is_some_and(|first| std::ptr::eq(first, block))
 }
 
-/// `10 x sg tarjan, 1 x gw local (stopped after 9 paths)`.
+/// Writes the jobs of a block: `10 x sg tarjan, 1 x gw local (first 9 paths)`.
 fn jobs(block: &Block) -> String {
     let mut jobs: Vec<String> = block
         .runs
@@ -74,7 +71,7 @@ fn jobs(block: &Block) -> String {
         .map(|run| {
             let stopped = run.stop_after_paths.map(|paths| format!(" (first {paths} paths)"));
             let stopped = stopped.unwrap_or_default();
-            format!("{} x {}{stopped}", run.repetitions, run.job.label())
+            format!("{} x {}{stopped}", run.repetitions, run.job.name())
         })
         .collect();
     jobs.sort();

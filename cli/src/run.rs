@@ -11,18 +11,19 @@ use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine;
 use triquad_lab::experiment::plan::{Block, PlannedMesh, PlannedRun};
 use triquad_lab::experiment::record::{Outcome, RunRecord};
-use triquad_lab::experiment::run::{Observer, Runner};
-use triquad_lab::report::write;
+use triquad_lab::experiment::run::{RunObserver, Runner};
+use triquad_lab::pictures::{self, DrawError};
+use triquad_lab::report::{self as lab_report, Extent};
 
 use crate::experiments::{Selection, duration};
 use crate::failure::Failure;
-use crate::{generate, pictures, stdio};
+use crate::{generate, input, report, stdio};
 
 /// Carry out experiments, each run in a process of its own, each a row of runs.csv
 ///
-/// A row is on the disk before the next run begins. Started again, only what has no row is run, so it
-/// may be interrupted at any time. Tables are written after every block, at most every five seconds,
-/// the page every minute and at the end.
+/// A row is on the disk before the next run begins. Started again, only what has no row is run, so
+/// it may be interrupted at any time. Tables are written after every block, at most every five
+/// seconds, the page every minute and at the end.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  triquad run experiments/comparison.toml --scale demo --out results/demo\n  \
@@ -50,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     let failure = |error: io::Error| folder_failure(out, &error);
     let mut journal = Journal::open(out).map_err(failure)?;
-    for row in &journal.results().damaged {
+    for row in journal.set_aside() {
         stdio::complain(&format!(
             "{}, line {}: {}; moved to damaged.csv, it will run again",
             out.join("runs.csv").display(),
@@ -70,14 +71,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         cache: arguments.cache.folder(),
         jobs: arguments.jobs,
     };
-    let view = View::new(out);
+    let view = RunView::new(out);
     let clock = SystemClock::default();
     for mesh in &plan.pictured {
-        let say = |line: &str| view.say(line);
-        pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, say)?;
+        let begin = || view.say(&format!("drawing the pictures of {}", mesh.name));
+        pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, begin)
+            .map_err(|error| picture_failure(&mesh.name, &error))?;
     }
     runner.execute(&plan, &mut journal, &clock, &view).map_err(failure)?;
     view.finish(&journal)
+}
+
+fn picture_failure(mesh: &str, error: &DrawError) -> Failure {
+    match error {
+        DrawError::Read { path, error } => input::mesh_failure(path, error),
+        other => Failure::bad(format!("{mesh} cannot be drawn: {other}")),
+    }
 }
 
 fn folder_failure(folder: &Path, error: &io::Error) -> Failure {
@@ -87,8 +96,8 @@ fn folder_failure(folder: &Path, error: &io::Error) -> Failure {
     ))
 }
 
-/// Shows how far it is: a bar on a terminal, a line a block elsewhere.
-struct View<'a> {
+/// Shows progress: a bar on a terminal, a line a block elsewhere.
+struct RunView<'a> {
     out: &'a Path,
     bar: ProgressBar,
     pace: Mutex<Pace>,
@@ -101,12 +110,12 @@ struct Written {
     page: Instant,
 }
 
-/// How long tables may lag behind where blocks take less than that.
+/// Time between two writings of the tables, at least.
 const TABLES_EVERY: Duration = Duration::from_secs(5);
-/// How long the page may lag behind: drawing its plots takes a moment.
+/// Time between two writings of the page, at least: its plots take a moment to draw.
 const PAGE_EVERY: Duration = Duration::from_secs(60);
 
-/// How estimates compare with what runs took.
+/// Estimates beside what runs took.
 #[derive(Default)]
 struct Pace {
     left: f64,
@@ -116,14 +125,14 @@ struct Pace {
 }
 
 impl Pace {
-    /// What is left, in the time of those that were run.
+    /// Returns the seconds that are left, corrected by what finished runs took.
     fn seconds_left(&self) -> f64 {
         let factor = if self.estimated > 1.0 { self.taken / self.estimated } else { 1.0 };
         (self.left * factor).max(0.0)
     }
 }
 
-impl<'a> View<'a> {
+impl<'a> RunView<'a> {
     fn new(out: &'a Path) -> Self {
         let now = Instant::now();
         let written = Mutex::new(Written { tables: now, page: now });
@@ -144,16 +153,10 @@ impl<'a> View<'a> {
 
     fn finish(self, journal: &Journal) -> Result<(), Failure> {
         self.bar.finish_and_clear();
-        let report = write::write(self.out).map_err(|error| Failure::bad(error.to_string()))?;
-        report.defects.iter().for_each(|defect| stdio::complain(defect));
-        let records = &journal.results().records;
+        let report = report::write(self.out, journal.results())?;
         let bad = self.pace().bad;
-        let page = report.files.iter().find(|path| path.extension().is_some_and(|e| e == "html"));
-        let line = format!(
-            "{}: {} runs, all done",
-            page.map_or(self.out, PathBuf::as_path).display(),
-            records.len()
-        );
+        let place = report.page.as_deref().unwrap_or(self.out).display();
+        let line = format!("{place}: {} runs, all done", journal.results().records.len());
         if bad == 0 {
             return stdio::say(&line);
         }
@@ -161,7 +164,7 @@ impl<'a> View<'a> {
     }
 }
 
-impl Observer for View<'_> {
+impl RunObserver for RunView<'_> {
     fn begin(&self, runs: usize, seconds: f64) {
         self.pace().left = seconds;
         self.bar.set_length(runs as u64);
@@ -179,7 +182,7 @@ impl Observer for View<'_> {
 
     fn running(&self, block: &Block, run: &PlannedRun) {
         let left = duration(self.pace().seconds_left());
-        let (mesh, job) = (&block.mesh.name, run.job.label());
+        let (mesh, job) = (&block.mesh.name, run.job.name());
         self.bar.set_message(format!("about {left} left: {mesh}, {job}"));
         self.bar.tick();
     }
@@ -195,23 +198,25 @@ impl Observer for View<'_> {
         self.bar.inc(1);
         if !record.is_ok() {
             self.pace().bad += 1;
-            let RunRecord { mesh, algorithm, reason, .. } = record;
-            self.say(&format!("{mesh}, {algorithm}: {:?}: {reason}", record.outcome));
+            let RunRecord { id, reason, outcome, .. } = record;
+            let (mesh, algorithm) = (&id.mesh.name, id.job.algorithm());
+            self.say(&format!("{mesh}, {algorithm}: {outcome:?}: {reason}"));
         }
     }
 
-    fn block_done(&self) -> io::Result<()> {
+    fn block_done(&self, journal: &Journal) -> io::Result<()> {
         let mut written = self.written.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
-        let report = if now - written.page >= PAGE_EVERY {
+        let extent = if now - written.page >= PAGE_EVERY {
             *written = Written { page: now, tables: now };
-            write::write(self.out)
+            Extent::Everything
         } else if now - written.tables >= TABLES_EVERY {
             written.tables = now;
-            write::write_tables(self.out)
+            Extent::Tables
         } else {
             return Ok(());
         };
+        let report = lab_report::write(self.out, journal.results(), extent);
         report.map(|_| ()).map_err(io::Error::other)
     }
 

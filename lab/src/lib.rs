@@ -1,20 +1,18 @@
-//! The laboratory: meshes of two papers, experiments on them, and reports of the results.
+//! The laboratory of `triquad`: it reproduces two papers.
 //!
-//! * [`meshes`]: the papers' meshes by name, made to order and cached;
-//! * [`experiment`]: an experiment file becomes a plan, the plan runs, each run a row of `runs.csv`;
-//! * [`report`]: from those rows tables, plots, a verdict on every claim, and the page.
-//!
-//! Data flows in that order. A run is a process of its own, so that its time and memory are its
-//! own; what it executes is the command `triquad`, which crate `triquad-cli` provides.
-//!
-//! The laboratory uses the public items of `triquad`, as any program would. It may use
-//! `triquad-generators` for meshes and `triquad-render` for pictures. Neither of the three uses the
-//! laboratory. Experiment files, the papers' tables and their claims stand in `experiments/`; the
-//! tables and claims are compiled in.
+//! [`meshes`] makes the papers' meshes, [`experiment`] runs the algorithms on them and records each
+//! run, [`pictures`] draws the quads, [`report`] turns records into tables, verdicts, plots and a
+//! page, beside what [`paper`] has of the printed tables. [`algorithms`] holds what all of them
+//! need of each algorithm. Only public items of the library are used.
 
+pub mod algorithms;
+mod csv_text;
 pub mod experiment;
 pub mod meshes;
+pub mod paper;
+pub mod pictures;
 pub mod report;
+mod whole_file;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

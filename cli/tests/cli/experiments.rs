@@ -138,18 +138,18 @@ fn the_command_of_a_row_gives_the_same_row() {
     let shop = Workshop::new();
     shop.succeed("run tiny.toml --scale demo --out out");
     let results = shop.results("out");
-    for record in results.records.iter().filter(|record| record.mesh == "A5").take(6) {
+    for record in results.records.iter().filter(|record| record.id.mesh.name == "A5").take(6) {
         let (make, convert) = record.command.split_once(" && ").unwrap();
         shop.succeed(make.strip_prefix("triquad ").unwrap());
         let output = shop.run(convert.strip_prefix("triquad ").unwrap());
         let stats: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-        assert_eq!(stats["unpaired_triangles"].as_u64(), record.unpaired_triangles);
+        assert_eq!(stats["unpaired_triangles"].as_u64(), record.measured.unpaired_triangles);
         assert_eq!(
             stats["augmenting_path_length_mean"].as_f64(),
-            record.augmenting_path_length_mean
+            record.measured.augmenting_path_length_mean
         );
-        assert_eq!(stats["edge_flips"].as_u64(), record.edge_flips);
-        assert_eq!(stats["quality_mean"].as_f64(), record.quality_mean);
+        assert_eq!(stats["edge_flips"].as_u64(), record.measured.edge_flips);
+        assert_eq!(stats["quality_mean"].as_f64(), record.measured.quality_mean);
     }
 }
 
@@ -261,7 +261,7 @@ fn what_timed_out_is_not_tried_on_larger_meshes() {
     let results = shop.results("out");
     let row = |mesh: &str, algorithm: &str| {
         let mut rows = results.records.iter();
-        rows.find(|row| row.mesh == mesh && row.algorithm == algorithm).unwrap()
+        rows.find(|row| row.id.mesh.name == mesh && row.id.job.algorithm() == algorithm).unwrap()
     };
     assert_eq!(row("small", "sg").outcome, Outcome::Ok);
     assert_eq!(row("medium", "sg").outcome, Outcome::Timeout);

@@ -1,12 +1,10 @@
 //! What two runs of the same have in common.
 
-use triquad_lab::experiment::RunRecord;
+use triquad_lab::experiment::{Measured, RunRecord};
 
 /// A record without what may differ between two runs of the same: times, memory, machine.
 pub fn repeatable(record: &RunRecord) -> RunRecord {
-    RunRecord {
-        machine: String::new(),
-        process_seconds: 0.0,
+    let measured = Measured {
         read_seconds: None,
         build_seconds: None,
         pairing_seconds: None,
@@ -15,6 +13,7 @@ pub fn repeatable(record: &RunRecord) -> RunRecord {
         seconds: None,
         check_seconds: None,
         peak_memory_bytes: None,
-        ..record.clone()
-    }
+        ..record.measured.clone()
+    };
+    RunRecord { machine: String::new(), process_seconds: 0.0, measured, ..record.clone() }
 }

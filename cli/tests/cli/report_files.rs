@@ -6,23 +6,33 @@ use std::process::{Command, Output};
 
 use crate::records::{conversion, of_the_papers, planned, run};
 use tempfile::TempDir;
-use triquad_lab::experiment::{Outcome, Results, RunRecord};
-use triquad_lab::report::paper::Table;
-use triquad_lab::report::write;
+use triquad_lab::experiment::results::Planned;
+use triquad_lab::experiment::{Measured, Outcome, Results, RunRecord};
+use triquad_lab::meshes::MeshKind;
+use triquad_lab::paper::Table;
+use triquad_lab::report::{self, Extent};
 
 /// A results folder with these records and this plan.
 fn folder(results: &Results) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("runs.csv"), csv_of(&results.records)).unwrap();
+    std::fs::write(
+        folder.path().join("runs.csv"),
+        csv_of(results.records.iter().map(RunRecord::to_row)),
+    )
+    .unwrap();
     if !results.planned.is_empty() {
-        std::fs::write(folder.path().join("plan.csv"), csv_of(&results.planned)).unwrap();
+        std::fs::write(
+            folder.path().join("plan.csv"),
+            csv_of(results.planned.iter().map(Planned::to_row)),
+        )
+        .unwrap();
     }
     folder
 }
 
-fn csv_of<T: serde::Serialize>(rows: &[T]) -> Vec<u8> {
+fn csv_of<T: serde::Serialize>(rows: impl Iterator<Item = T>) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    rows.iter().for_each(|row| writer.serialize(row).unwrap());
+    rows.for_each(|row| writer.serialize(row).unwrap());
     writer.into_inner().unwrap()
 }
 
@@ -38,6 +48,12 @@ fn triquad(verb: &str, folder: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_triquad")).arg(verb).arg(folder).output().unwrap()
 }
 
+/// Writes the report on a folder into it.
+fn write(folder: &Path) {
+    let results = Results::read(folder).unwrap();
+    report::write(folder, &results, Extent::Everything).unwrap();
+}
+
 fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
 }
@@ -45,11 +61,14 @@ fn text(bytes: &[u8]) -> &str {
 /// A little of everything: repetitions, a timeout, a stopped augmentation, RS.
 fn scripted() -> Results {
     let rows = Table::numbered("4.3").unwrap().pairing_rows();
-    let repeated = |row: usize, repetition: u32, seconds: f64| RunRecord {
-        repetition,
-        pairing_seconds: Some(seconds),
-        augmentation_seconds: Some(2.0 * seconds),
-        ..conversion("scans", &rows[row])
+    let repeated = |row: usize, repetition: u32, seconds: f64| {
+        let run = conversion("scans", &rows[row]);
+        let measured = Measured {
+            pairing_seconds: Some(seconds),
+            augmentation_seconds: Some(2.0 * seconds),
+            ..run.measured
+        };
+        RunRecord { repetition, measured, ..run }
     };
     let stopped = RunRecord { stopped_after_paths: Some(251), ..repeated(0, 0, 0.25) };
     let timeout = RunRecord {
@@ -57,13 +76,11 @@ fn scripted() -> Results {
         reason: "after 900 s".into(),
         ..run("comparison", "scans", "botijo", "ds")
     };
-    let stand_in = RunRecord {
-        mesh_kind: "stand-in".into(),
-        seconds: Some(0.5),
-        link_condition_tests: Some(1000),
-        edges_tested_more_than_once: Some(0),
-        ..run("irreducible", "B", "ir-B9", "rs")
-    };
+    let mut stand_in = run("irreducible", "B", "ir-B9", "rs");
+    stand_in.mesh_kind = MeshKind::StandIn;
+    stand_in.measured.seconds = Some(0.5);
+    stand_in.measured.link_condition_tests = Some(1000);
+    stand_in.measured.edges_tested_more_than_once = Some(0);
     let mut records = vec![stopped, timeout.clone(), stand_in];
     records.extend([1.0, 2.0, 4.0].iter().zip(0..).map(|(&seconds, i)| repeated(1, i, seconds)));
     let planned = vec![planned(&timeout, 1), planned(&repeated(1, 0, 1.0), 4)];
@@ -106,7 +123,7 @@ ir-B9,1000.0,,,0.0,,,stand-in,4400,8796,0,ok 1,not planned,not planned,\
 #[test]
 fn tables_are_what_they_were() {
     let folder = folder(&scripted());
-    write::write(folder.path()).unwrap();
+    write(folder.path());
     let files = content(folder.path());
     let table = text(&files["table_4_3.csv"]);
     assert!(table.starts_with(TABLE_4_3), "{}", &table[..TABLE_4_3.len().min(table.len())]);
@@ -134,7 +151,7 @@ fn a_report_made_twice_is_the_same_and_replaces_only_its_own_files() {
     assert!(text(&found.stdout).starts_with(&folder.path().display().to_string()));
     let first = content(folder.path());
     assert!(before.iter().all(|(name, bytes)| first[name] == *bytes));
-    assert!(Table::ALL.iter().all(|table| first.contains_key(table.file())));
+    assert!(Table::ALL.iter().all(|table| first.contains_key(table.file)));
     std::fs::write(folder.path().join("table_6.csv"), "old").unwrap();
     assert_eq!(triquad("report", folder.path()).status.code(), Some(0));
     assert_eq!(content(folder.path()), first);
@@ -142,7 +159,7 @@ fn a_report_made_twice_is_the_same_and_replaces_only_its_own_files() {
     let mut results = of_the_papers();
     results.records.reverse();
     let other = self::folder(&results);
-    write::write(other.path()).unwrap();
+    write(other.path());
     let same = |name: &str| content(other.path())[name] == first[name];
     assert!(first.keys().filter(|name| *name != "runs.csv").all(|name| same(name)));
 }
@@ -177,8 +194,8 @@ fn a_file_that_cannot_be_written_replaces_nothing() {
 #[test]
 fn verdicts_are_printed_and_counted_and_a_difference_is_no_failure() {
     let mut results = of_the_papers();
-    for run in results.records.iter_mut().filter(|run| run.algorithm == "lrs") {
-        run.unpaired_triangles = Some(1_000_000);
+    for run in results.records.iter_mut().filter(|run| run.id.job.algorithm() == "lrs") {
+        run.measured.unpaired_triangles = Some(1_000_000);
     }
     let folder = folder(&results);
     let found = triquad("compare", folder.path());

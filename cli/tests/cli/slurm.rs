@@ -283,7 +283,7 @@ fn check_blocks(slurm: &Slurm) {
         let results = Results::read(&slurm.path(&format!("out/part-{part}"))).unwrap();
         assert!(!results.records.is_empty(), "part {part} did nothing");
         for record in results.records {
-            let block = (record.mesh, record.repetition);
+            let block = (record.id.mesh.name, record.repetition);
             assert_eq!(*part_of.entry(block.clone()).or_insert(part), part, "{block:?}");
         }
     }

@@ -1,13 +1,12 @@
-//! What a plan will take, roughly: enough to decide whether to start it.
+//! Rough estimates of time, memory and disk: enough to decide whether to start a plan.
 //!
-//! The coefficients were measured on two cores at 2 to 3 GHz; progress corrects them as it goes.
+//! The coefficients were measured on two cores at 2 to 3 GHz, those of algorithms are in
+//! [`crate::algorithms`]; the progress bar corrects them as it goes.
 
 use super::job::Job;
 use super::plan::{Plan, PlannedMesh, PlannedRun, Source};
 use crate::meshes::Recipe;
 use triquad::augmentation::Augmentation;
-use triquad::irreducible::Contractor;
-use triquad::pairing::{Algorithm, Expansion};
 
 /// Time, memory and disk.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,66 +26,25 @@ const FRAME_SECONDS: f64 = 0.6e-6;
 /// A search tree of `tarjan`, for each triangle of the mesh.
 const TREE_SECONDS: f64 = 2.0e-9;
 
-/// What one run takes.
+/// Returns the seconds that one run takes.
 pub fn run_seconds(mesh: &PlannedMesh, run: &PlannedRun) -> f64 {
     let n = f64::from(mesh.triangles);
-    let work = match run.job {
-        Job::Convert { algorithm, augmentation } => {
-            let unpaired = unpaired(algorithm, n, f64::from(mesh.genus));
-            let paths = run.stop_after_paths.map_or(unpaired / 2.0, |most| most as f64);
-            let paths = paths.min(unpaired / 2.0);
-            pairing_seconds(algorithm) * n
-                + match augmentation {
-                    Augmentation::Tarjan => paths * TREE_SECONDS * n,
-                    _ => 10e-6 * paths,
-                }
-        }
-        Job::Reduce { method, .. } => reduction_seconds(method) * n,
+    let facts = run.job.facts();
+    let [a_triangle, a_handle, once] = facts.unpaired;
+    let paths = (a_triangle * n + a_handle * f64::from(mesh.genus) + once) / 2.0;
+    let paths = run.stop_after_paths.map_or(paths, |most| paths.min(most as f64));
+    let a_path = match run.job {
+        Job::Convert { augmentation: Augmentation::Tarjan, .. } => TREE_SECONDS * n,
+        _ => 10e-6,
     };
-    START_SECONDS + FRAME_SECONDS * n + work
-}
-
-/// Column (c) as the paper has it.
-fn unpaired(algorithm: Algorithm, triangles: f64, genus: f64) -> f64 {
-    match algorithm {
-        Algorithm::SimpleGreedy => 0.125 * triangles,
-        Algorithm::PulliSegal => 0.001 * triangles,
-        Algorithm::Lrs(_) => 4.0 + 12.0 * genus,
-        Algorithm::DiksStanczyk | Algorithm::GawrychowskiWasylkiewicz => 0.0,
-        _ => 2.0,
-    }
-}
-
-/// For each triangle.
-fn pairing_seconds(algorithm: Algorithm) -> f64 {
-    match algorithm {
-        Algorithm::Lrs(Expansion::Printed) => 0.5e-6,
-        Algorithm::Lrs(Expansion::FewFlips) => 0.8e-6,
-        Algorithm::GawrychowskiWasylkiewicz => 2.4e-6,
-        Algorithm::DiksStanczyk => 25e-6,
-        _ => 0.15e-6,
-    }
-}
-
-/// For each triangle.
-fn reduction_seconds(method: Contractor) -> f64 {
-    match method {
-        Contractor::RamaswamiSiqueira => 0.15e-6,
-        Contractor::Schipper => 0.7e-6,
-        _ => 1.0e-6,
-    }
+    START_SECONDS + (FRAME_SECONDS + facts.seconds) * n + paths * a_path
 }
 
 fn run_memory(mesh: &PlannedMesh, job: Job) -> f64 {
-    let a_triangle = match job {
-        Job::Convert { algorithm: Algorithm::DiksStanczyk, .. } => 450.0,
-        Job::Convert { algorithm: Algorithm::Lrs(_), .. } => 160.0,
-        _ => 120.0,
-    };
-    5e6 + a_triangle * f64::from(mesh.triangles)
+    5e6 + job.facts().bytes * f64::from(mesh.triangles)
 }
 
-/// Time, memory and disk to make a mesh.
+/// Returns time, memory and disk to make a mesh.
 fn making(mesh: &PlannedMesh) -> Estimate {
     let file = 25.0 * f64::from(mesh.triangles);
     let Source::Made(made, _) = &mesh.source else { return Estimate::default() };
@@ -104,8 +62,8 @@ fn making(mesh: &PlannedMesh) -> Estimate {
 }
 
 impl Estimate {
-    /// What `plan` takes.
-    pub fn of(plan: &Plan) -> Self {
+    /// Estimates `plan`. O(runs).
+    pub fn new(plan: &Plan) -> Self {
         let mut total = Self::default();
         let mut kept = 0.0;
         for block in &plan.blocks {

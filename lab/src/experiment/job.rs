@@ -1,62 +1,139 @@
-//! What one run does, as the arguments of the command that does it.
+//! What one run does, as the arguments of the command that does it and as columns of its record.
 
+use serde::{Deserialize, Serialize};
 use triquad::augmentation::Augmentation;
 use triquad::irreducible::{Contractor, Order};
 use triquad::pairing::{Algorithm, Expansion};
 
+use crate::algorithms::AlgorithmFacts;
+
 /// What a run does to its mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "JobNames<String>", into = "JobNames<&'static str>")]
 pub enum Job {
     /// `triquad convert`.
     Convert {
-        /// How triangles are paired at first.
+        /// Algorithm of the initial pairing.
         algorithm: Algorithm,
-        /// How the pairing is made perfect.
+        /// Algorithm that makes the pairing perfect.
         augmentation: Augmentation,
     },
     /// `triquad irreducible`.
     Reduce {
-        /// How contractible edges are found.
+        /// Algorithm that finds contractible edges.
         method: Contractor,
-        /// The order of vertices.
+        /// Order of the vertices.
         order: Order,
     },
 }
 
+/// A job in the columns of `runs.csv` and `plan.csv`.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct JobNames<S> {
+    /// Algorithm.
+    pub algorithm: S,
+    /// Expansion of LRS.
+    pub lrs_variant: Option<S>,
+    /// Augmentation of a conversion.
+    pub augmentation: Option<S>,
+    /// Order of the vertices of a reduction.
+    pub order: Option<S>,
+}
+
+/// A name that no algorithm, variant, augmentation or order has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{name:?} is none of {known}")]
+pub struct UnknownNameError {
+    name: String,
+    known: String,
+}
+
+impl Default for Job {
+    /// Returns the job of `triquad convert` without options.
+    fn default() -> Self {
+        Self::Convert { algorithm: Algorithm::EagerRescue, augmentation: Augmentation::Local }
+    }
+}
+
 impl Job {
-    /// Name of the algorithm in records.
+    /// Returns the conversion with the augmentation as published.
+    pub const fn published(algorithm: Algorithm) -> Self {
+        Self::Convert { algorithm, augmentation: Augmentation::Tarjan }
+    }
+
+    /// Returns the reduction of vertices in the order of the file, as published.
+    pub const fn in_file_order(method: Contractor) -> Self {
+        Self::Reduce { method, order: Order::File }
+    }
+
+    /// Returns the job of that algorithm, its variant after a space, as its paper ran it.
+    ///
+    /// # Errors
+    /// There is no such algorithm.
+    pub fn named(name: &str) -> Result<Self, UnknownNameError> {
+        let reduction = find_method(name).map(Self::in_file_order);
+        reduction.or_else(|_| find_conversion(name).map(Self::published))
+    }
+
+    /// Returns its names in records.
+    pub fn names(self) -> JobNames<&'static str> {
+        let mut names =
+            JobNames { algorithm: "", lrs_variant: None, augmentation: None, order: None };
+        match self {
+            Self::Convert { algorithm, augmentation } => {
+                (names.algorithm, names.augmentation) = (algorithm.id(), Some(augmentation.id()));
+                if let Algorithm::Lrs(expansion) = algorithm {
+                    names.lrs_variant = Some(expansion.id());
+                }
+            }
+            Self::Reduce { method, order } => {
+                (names.algorithm, names.order) = (method.id(), Some(order.id()));
+            }
+        }
+        names
+    }
+
+    /// Returns the name of the algorithm in records.
     pub fn algorithm(self) -> &'static str {
+        self.names().algorithm
+    }
+
+    /// Returns the same conversion with another augmentation; a reduction has none.
+    pub fn with_augmentation(self, augmentation: Augmentation) -> Self {
         match self {
-            Self::Convert { algorithm, .. } => algorithm.id(),
-            Self::Reduce { method, .. } => method.id(),
+            Self::Convert { algorithm, .. } => Self::Convert { algorithm, augmentation },
+            reduction => reduction,
         }
     }
 
-    /// For LRS: how it expands.
-    pub fn lrs_variant(self) -> Option<&'static str> {
-        match self {
-            Self::Convert { algorithm: Algorithm::Lrs(expansion), .. } => Some(expansion.id()),
-            _ => None,
-        }
+    /// Returns the facts of the algorithm.
+    ///
+    /// # Panics
+    /// If the algorithm has no row in [`crate::algorithms`]. A test finds out.
+    pub fn facts(self) -> &'static AlgorithmFacts {
+        let JobNames { algorithm, lrs_variant, .. } = self.names();
+        let variant = lrs_variant.filter(|&variant| variant != Expansion::Printed.id());
+        let name = variant.map_or(algorithm.into(), |variant| format!("{algorithm} {variant}"));
+        AlgorithmFacts::named(&name).expect("every algorithm has a row of facts")
     }
 
-    /// For conversions: how the pairing is made perfect.
-    pub fn augmentation(self) -> Option<&'static str> {
-        match self {
-            Self::Convert { augmentation, .. } => Some(augmentation.id()),
-            Self::Reduce { .. } => None,
-        }
+    /// Returns the name in the papers, with what is not as published: `PS`, `LRS few-flips`,
+    /// `PS local`, `RS random`.
+    pub fn label(self) -> String {
+        let (label, JobNames { augmentation, order, .. }) = (self.facts().label, self.names());
+        let published = [Augmentation::Tarjan.id(), Order::File.id()];
+        let how = augmentation.or(order).filter(|how| !published.contains(how));
+        how.map_or(label.into(), |how| format!("{label} {how}"))
     }
 
-    /// For irreducible triangulations: the order of vertices.
-    pub fn order(self) -> Option<&'static str> {
-        match self {
-            Self::Convert { .. } => None,
-            Self::Reduce { order, .. } => Some(order.id()),
-        }
+    /// Returns every word that tells this job from others on the same mesh: `lrs printed tarjan`.
+    pub fn name(self) -> String {
+        let JobNames { algorithm, lrs_variant, augmentation, order } = self.names();
+        let words = [Some(algorithm), lrs_variant, augmentation, order];
+        words.into_iter().flatten().collect::<Vec<_>>().join(" ")
     }
 
-    /// The verb on the command line.
+    /// Returns the verb on the command line.
     pub fn verb(self) -> &'static str {
         match self {
             Self::Convert { .. } => "convert",
@@ -64,24 +141,103 @@ impl Job {
         }
     }
 
-    /// The options on the command line, those left out that would say the usual.
+    /// Returns the options on the command line, omitting defaults.
     pub fn options(self) -> Vec<&'static str> {
-        let mut options = vec!["--algorithm", self.algorithm()];
-        if let Some(variant) = self.lrs_variant().filter(|&v| v != Expansion::Printed.id()) {
-            options.extend(["--lrs-variant", variant]);
-        }
-        if let Some(augmentation) = self.augmentation() {
-            options.extend(["--augmentation", augmentation]);
-        }
-        if let Some(order) = self.order().filter(|&order| order != Order::File.id()) {
-            options.extend(["--order", order]);
-        }
-        options
+        let JobNames { algorithm, lrs_variant, augmentation, order } = self.names();
+        let options = [
+            ("--algorithm", Some(algorithm)),
+            ("--lrs-variant", lrs_variant.filter(|&variant| variant != Expansion::Printed.id())),
+            ("--augmentation", augmentation),
+            ("--order", order.filter(|&order| order != Order::File.id())),
+        ];
+        options.into_iter().filter_map(|(name, value)| Some([name, value?])).flatten().collect()
+    }
+}
+
+impl From<Job> for JobNames<&'static str> {
+    fn from(job: Job) -> Self {
+        job.names()
+    }
+}
+
+impl TryFrom<JobNames<String>> for Job {
+    type Error = UnknownNameError;
+
+    fn try_from(names: JobNames<String>) -> Result<Self, UnknownNameError> {
+        let JobNames { algorithm, lrs_variant, augmentation, order } = names;
+        let Some(augmentation) = augmentation else {
+            let (method, order) = (find_method(&algorithm)?, order.unwrap_or_default());
+            return Ok(Self::Reduce { method, order: find_order(&order)? });
+        };
+        let name =
+            lrs_variant.map_or(algorithm.clone(), |variant| format!("{algorithm} {variant}"));
+        let augmentation = find_augmentation(&augmentation)?;
+        Ok(Self::Convert { algorithm: find_conversion(&name)?, augmentation })
+    }
+}
+
+/// Returns the conversion algorithm of that name; the variant of LRS follows after a space.
+pub(crate) fn find_conversion(name: &str) -> Result<Algorithm, UnknownNameError> {
+    match name.split_once(' ') {
+        Some(("lrs", variant)) => find(Expansion::ALL, Expansion::id, variant).map(Algorithm::Lrs),
+        _ => find(Algorithm::ALL, Algorithm::id, name),
+    }
+}
+
+pub(crate) fn find_augmentation(name: &str) -> Result<Augmentation, UnknownNameError> {
+    find(Augmentation::ALL, Augmentation::id, name)
+}
+
+pub(crate) fn find_method(name: &str) -> Result<Contractor, UnknownNameError> {
+    find(Contractor::ALL, Contractor::id, name)
+}
+
+pub(crate) fn find_order(name: &str) -> Result<Order, UnknownNameError> {
+    find(Order::ALL, Order::id, name)
+}
+
+fn find<T: Copy, const N: usize>(
+    all: [T; N],
+    id: fn(T) -> &'static str,
+    name: &str,
+) -> Result<T, UnknownNameError> {
+    let known = || UnknownNameError { name: name.into(), known: all.map(id).join(", ") };
+    all.into_iter().find(|&one| id(one) == name).ok_or_else(known)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all() -> Vec<Job> {
+        let conversions = Algorithm::ALL.into_iter().chain(Expansion::ALL.map(Algorithm::Lrs));
+        let methods = Contractor::ALL.into_iter();
+        let mut jobs: Vec<Job> = conversions.map(Job::published).collect();
+        jobs.extend(methods.map(|method| Job::Reduce { method, order: Order::Random }));
+        jobs
     }
 
-    /// What tells this job from others on the same mesh, in words.
-    pub fn label(self) -> String {
-        let words = [Some(self.algorithm()), self.lrs_variant(), self.augmentation(), self.order()];
-        words.into_iter().flatten().collect::<Vec<_>>().join(" ")
+    #[test]
+    fn every_algorithm_has_one_row_of_facts_and_a_look_of_its_own_among_its_kind() {
+        let (jobs, rows) = (all(), AlgorithmFacts::all());
+        assert!(rows.iter().all(|facts| jobs.iter().any(|job| job.facts().name == facts.name)));
+        for (i, facts) in rows.iter().enumerate() {
+            assert_eq!(facts.rank(), i, "{} has two rows", facts.name);
+        }
+        for (one, other) in jobs.iter().flat_map(|one| jobs.iter().map(move |other| (one, other))) {
+            let alike = one.verb() == other.verb() && one.facts().look == other.facts().look;
+            assert!(!alike || one.facts().name == other.facts().name, "{one:?} {other:?}");
+        }
+    }
+
+    #[test]
+    fn names_give_the_same_job_again_and_unknown_ones_are_refused() {
+        for job in all() {
+            let names = serde_json::to_string(&job).unwrap();
+            assert_eq!(serde_json::from_str::<Job>(&names).unwrap(), job);
+            let unknown = names.replace(job.algorithm(), "xx");
+            let error = serde_json::from_str::<Job>(&unknown).unwrap_err();
+            assert!(error.to_string().starts_with("\"xx"), "{error}");
+        }
     }
 }

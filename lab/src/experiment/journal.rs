@@ -6,8 +6,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::record::{Outcome, RunRecord};
-use super::results::{Damaged, Facts, Planned, Results};
-use triquad::atomic_file::AtomicFile;
+use super::results::{DamagedRow, MachineFacts, Planned, Results, RunIndex};
+use super::run_id::RunId;
+use crate::{csv_text, whole_file};
 
 /// The results folder of an experiment that is being run.
 #[derive(Debug)]
@@ -15,11 +16,13 @@ pub struct Journal {
     folder: PathBuf,
     file: File,
     results: Results,
+    index: RunIndex,
     keys: HashSet<String>,
+    set_aside: Vec<DamagedRow>,
 }
 
 impl Journal {
-    /// Opens `folder` and reads what was done before.
+    /// Opens `folder` and reads the rows of earlier runs.
     ///
     /// Damaged rows are moved to `damaged.csv`: their runs count as not done.
     ///
@@ -32,46 +35,52 @@ impl Journal {
         if path.exists() {
             results = Results::read(folder).map_err(|error| error.error)?;
         }
-        if !results.damaged.is_empty() {
-            set_aside(&folder.join("damaged.csv"), &results.damaged)?;
-        }
-        if !path.exists() || !results.damaged.is_empty() {
+        let set_aside = std::mem::take(&mut results.damaged);
+        append_damaged(folder, &set_aside)?;
+        if !path.exists() || !set_aside.is_empty() {
             write_rows(&path, &results.records)?;
         }
         let file = OpenOptions::new().append(true).open(path)?;
         let keys = results.records.iter().map(|record| record.key.clone()).collect();
-        Ok(Self { folder: folder.to_owned(), file, results, keys })
+        let index = RunIndex::new(&results.records);
+        Ok(Self { folder: folder.to_owned(), file, results, index, keys, set_aside })
     }
 
-    /// What is known so far.
+    /// Returns the results so far.
     pub fn results(&self) -> &Results {
         &self.results
     }
 
-    /// Whether a run of this key has a row.
+    /// Returns the damaged rows that were moved when the folder was opened.
+    pub fn set_aside(&self) -> &[DamagedRow] {
+        &self.set_aside
+    }
+
+    /// Returns whether a run of this key has a row. O(1).
     pub fn has(&self, key: &str) -> bool {
         self.keys.contains(key)
     }
 
-    /// Whether an algorithm timed out on a smaller mesh of the group.
-    pub fn timed_out_below(&self, run: &RunRecord, triangles: u64) -> Option<&RunRecord> {
+    /// Returns a row of the same job that timed out on a smaller mesh of the group.
+    pub fn timed_out_below(&self, id: &RunId, triangles: u64) -> Option<&RunRecord> {
+        let place = |id: &RunId| {
+            let mesh = &id.mesh;
+            (mesh.experiment.clone(), mesh.scale, mesh.group.clone(), id.job)
+        };
         self.results.records.iter().find(|other| {
             other.outcome == Outcome::Timeout
-                && other.triangles.is_some_and(|smaller| smaller < triangles)
-                && (&other.experiment, &other.scale, &other.group)
-                    == (&run.experiment, &run.scale, &run.group)
-                && (&other.algorithm, &other.lrs_variant, &other.augmentation, &other.order)
-                    == (&run.algorithm, &run.lrs_variant, &run.augmentation, &run.order)
+                && other.measured.triangles.is_some_and(|smaller| smaller < triangles)
+                && place(&other.id) == place(id)
         })
     }
 
     /// Appends a row and waits until it is on the disk.
     ///
     /// # Errors
-    /// Those of the file system, a full disk for example; rows before are not touched. What was
-    /// written of the row is taken back.
+    /// Those of the file system, a full disk for example. Earlier rows are kept, and the part of
+    /// the row that was written is removed.
     pub fn append(&mut self, record: RunRecord) -> io::Result<()> {
-        let row = row_of(&record)?;
+        let row = csv_text::without_header([record.to_row()])?;
         let length = self.file.metadata()?.len();
         let written = self.file.write_all(&row).and_then(|()| self.file.sync_data());
         if let Err(error) = written {
@@ -79,20 +88,20 @@ impl Journal {
             return Err(error);
         }
         self.keys.insert(record.key.clone());
-        self.results.push(record);
+        self.index.put(&mut self.results.records, record);
         Ok(())
     }
 
-    /// Remembers a machine.
+    /// Adds a machine.
     ///
     /// # Errors
     /// Those of the file system.
-    pub fn note_machine(&mut self, name: &str, facts: Facts) -> io::Result<()> {
+    pub fn note_machine(&mut self, name: &str, facts: MachineFacts) -> io::Result<()> {
         self.results.machines.insert(name.to_owned(), facts);
         write_machines(&self.folder, &self.results)
     }
 
-    /// Remembers what is planned; other plans stay.
+    /// Adds planned runs to those of other plans.
     ///
     /// # Errors
     /// Those of the file system.
@@ -102,13 +111,11 @@ impl Journal {
     }
 }
 
-/// Adds `rows` to `planned`; of the same job on the same mesh the newer number of repetitions counts.
+/// Adds `rows` to `planned`; of the same job on the same mesh the newer number of repetitions
+/// counts.
 pub(super) fn merge_plans(planned: &mut Vec<Planned>, rows: Vec<Planned>) {
     for row in rows {
-        let same = |other: &&mut Planned| {
-            Planned { repetitions: row.repetitions, ..(**other).clone() } == row
-        };
-        match planned.iter_mut().find(same) {
+        match planned.iter_mut().find(|known| known.id == row.id) {
             Some(known) => known.repetitions = row.repetitions,
             None => planned.push(row),
         }
@@ -121,56 +128,37 @@ pub(super) fn merge_plans(planned: &mut Vec<Planned>, rows: Vec<Planned>) {
 /// Those of the file system.
 pub(super) fn write_results(folder: &Path, results: &Results) -> io::Result<()> {
     std::fs::create_dir_all(folder)?;
-    if !results.damaged.is_empty() {
-        set_aside(&folder.join("damaged.csv"), &results.damaged)?;
-    }
+    append_damaged(folder, &results.damaged)?;
     write_plan(folder, results)?;
     write_machines(folder, results)?;
     write_rows(&folder.join("runs.csv"), &results.records)
 }
 
 fn write_plan(folder: &Path, results: &Results) -> io::Result<()> {
-    let mut file = AtomicFile::create(&folder.join("plan.csv"))?;
-    {
-        let mut writer = csv::Writer::from_writer(&mut file);
-        results.planned.iter().try_for_each(|row| writer.serialize(row))?;
-        writer.flush()?;
-    }
-    file.commit()
+    let rows = csv_text::with_header(results.planned.iter().map(Planned::to_row))?;
+    whole_file::write(&folder.join("plan.csv"), &rows)
 }
 
 fn write_machines(folder: &Path, results: &Results) -> io::Result<()> {
-    let mut file = AtomicFile::create(&folder.join("machines.json"))?;
-    serde_json::to_writer_pretty(&mut file, &results.machines)?;
-    writeln!(file)?;
-    file.commit()
+    let mut text = serde_json::to_vec_pretty(&results.machines)?;
+    text.push(b'\n');
+    whole_file::write(&folder.join("machines.json"), &text)
 }
 
+/// Writes the names of the columns, which are there without any row too, and the rows.
 fn write_rows(path: &Path, records: &[RunRecord]) -> io::Result<()> {
-    let mut file = AtomicFile::create(path)?;
-    let with_header = with_header(&RunRecord::default())?;
-    let end = with_header.iter().position(|&byte| byte == b'\n').map_or(0, |end| end + 1);
-    file.write_all(&with_header[..end])?;
-    for record in records {
-        file.write_all(&row_of(record)?)?;
-    }
-    file.commit()
-}
-
-fn row_of(record: &RunRecord) -> io::Result<Vec<u8>> {
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    writer.serialize(record)?;
-    writer.into_inner().map_err(|error| io::Error::other(error.to_string()))
-}
-
-fn with_header(record: &RunRecord) -> io::Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.serialize(record)?;
-    writer.into_inner().map_err(|error| io::Error::other(error.to_string()))
+    let mut text = csv_text::with_header([RunRecord::default().to_row()])?;
+    text.truncate(text.iter().position(|&byte| byte == b'\n').map_or(0, |end| end + 1));
+    text.extend(csv_text::without_header(records.iter().map(RunRecord::to_row))?);
+    whole_file::write(path, &text)
 }
 
 /// Appends damaged rows to a file of their own, so that nothing is lost.
-fn set_aside(path: &Path, damaged: &[Damaged]) -> io::Result<()> {
+fn append_damaged(folder: &Path, damaged: &[DamagedRow]) -> io::Result<()> {
+    if damaged.is_empty() {
+        return Ok(());
+    }
+    let path = folder.join("damaged.csv");
     let mut file = OpenOptions::new().append(true).create(true).open(path)?;
     for row in damaged {
         writeln!(file, "{}", row.text)?;
@@ -181,18 +169,16 @@ fn set_aside(path: &Path, damaged: &[Damaged]) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiment::record::SCHEMA;
+    use crate::experiment::job::Job;
+    use triquad::pairing::Algorithm;
 
     fn record(key: &str) -> RunRecord {
-        RunRecord {
-            schema: SCHEMA.into(),
-            key: key.into(),
-            mesh: key.into(),
-            reason: "one, \"two\"".into(),
-            triangles: Some(8),
-            pairing_seconds: Some(0.1 + 0.2),
-            ..Default::default()
-        }
+        let mut record =
+            RunRecord { key: key.into(), reason: "one, \"two\"".into(), ..RunRecord::default() };
+        record.id.mesh.name = key.into();
+        record.measured.triangles = Some(8);
+        record.measured.pairing_seconds = Some(0.1 + 0.2);
+        record
     }
 
     fn keys(journal: &Journal) -> Vec<&str> {
@@ -223,10 +209,10 @@ mod tests {
             std::fs::write(&path, &whole[..end]).unwrap();
             let mut journal = Journal::open(folder.path()).unwrap();
             assert_eq!(keys(&journal), ["a"], "{end} bytes");
-            assert_eq!(journal.results().damaged.len(), 1);
+            assert_eq!(journal.set_aside().len(), 1);
             journal.append(record("c")).unwrap();
             let journal = Journal::open(folder.path()).unwrap();
-            assert_eq!((keys(&journal), journal.results().damaged.len()), (vec!["a", "c"], 0));
+            assert_eq!((keys(&journal), journal.set_aside().len()), (vec!["a", "c"], 0));
         }
         let aside = std::fs::read_to_string(folder.path().join("damaged.csv")).unwrap();
         assert_eq!(aside.lines().count(), whole.len() - before - 1);
@@ -246,7 +232,7 @@ mod tests {
         std::fs::write(&path, lines.join("\n") + "\n").unwrap();
         let journal = Journal::open(folder.path()).unwrap();
         assert_eq!(keys(&journal), ["a", "c"]);
-        assert_eq!(journal.results().damaged[0].line, 3);
+        assert_eq!(journal.set_aside()[0].line, 3);
     }
 
     #[cfg(target_os = "linux")]
@@ -272,9 +258,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let mut journal = Journal::open(folder.path()).unwrap();
         journal.append(RunRecord { outcome: Outcome::Timeout, ..record("a") }).unwrap();
-        assert!(journal.timed_out_below(&record("b"), 9).is_some());
-        assert!(journal.timed_out_below(&record("b"), 8).is_none());
-        let other = RunRecord { algorithm: "ps".into(), ..record("b") };
-        assert!(journal.timed_out_below(&other, 9).is_none());
+        let mut id = record("b").id;
+        assert!(journal.timed_out_below(&id, 9).is_some());
+        assert!(journal.timed_out_below(&id, 8).is_none());
+        id.job = Job::published(Algorithm::PulliSegal);
+        assert!(journal.timed_out_below(&id, 9).is_none());
     }
 }

@@ -6,10 +6,10 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 use sysinfo::System;
 
-use super::results::Facts;
+use super::results::MachineFacts;
 
-/// What is worth knowing of this machine and this program.
-pub fn facts() -> Facts {
+/// Returns the facts about this machine and this program that may change times.
+pub fn facts() -> MachineFacts {
     let mut system = System::new();
     system.refresh_memory();
     system.refresh_cpu_all();
@@ -31,23 +31,18 @@ pub fn facts() -> Facts {
     facts.into_iter().filter_map(|(name, fact)| Some((name.to_owned(), fact?))).collect()
 }
 
-/// Name and version.
+/// Returns name and version of the program.
 pub fn program() -> String {
     concat!("triquad ", env!("CARGO_PKG_VERSION")).into()
 }
 
-/// How many processes wait for a core, on average over the last minute.
-pub fn load() -> f64 {
-    System::load_average().one
-}
-
-/// A short name for `facts`, the same for equal ones.
-pub fn name_of(facts: &Facts) -> String {
+/// Returns a short name for `facts`, the same for equal ones.
+pub fn name_of(facts: &MachineFacts) -> String {
     let text: String = facts.iter().map(|(name, fact)| format!("{name}={fact}\n")).collect();
     hexadecimal(&Sha256::digest(text))[..8].to_owned()
 }
 
-/// SHA-256 of a file, in hexadecimal digits.
+/// Returns the SHA-256 of a file, in hexadecimal digits.
 ///
 /// # Errors
 /// It cannot be read.
@@ -63,12 +58,12 @@ pub fn hash_of_file(path: &Path) -> io::Result<String> {
     }
 }
 
-/// SHA-256 of `words`, in 16 hexadecimal digits.
+/// Returns the SHA-256 of `words`, in 16 hexadecimal digits.
 pub fn hash_of_words(words: &[&str]) -> String {
     let mut hasher = Sha256::new();
     for word in words {
         hasher.update(word);
-        // Which UTF-8 never uses.
+        // UTF-8 never uses this byte, so that words cannot run together.
         hasher.update([0xff]);
     }
     hexadecimal(&hasher.finalize())[..16].to_owned()
@@ -83,7 +78,7 @@ fn governor() -> Option<String> {
     Some(std::fs::read_to_string(path).ok()?.trim().to_owned())
 }
 
-/// The commit that the sources are at, where they are still there.
+/// Returns the commit of the sources, where they are still there.
 fn commit() -> Option<String> {
     let mut git = std::process::Command::new("git");
     git.args(["-C", env!("CARGO_MANIFEST_DIR"), "describe", "--always", "--dirty", "--abbrev=12"]);

@@ -1,27 +1,27 @@
 //! Results of several machines in one folder.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use super::journal::{merge_plans, write_results};
-use super::results::{Results, ResultsError};
-use triquad::atomic_file::AtomicFile;
+use super::record::RunRecord;
+use super::results::{Results, ResultsError, RunIndex};
+use crate::whole_file;
 
-/// Puts the rows of all `folders` together in `out`: of the same run done twice, the last that ended
-/// well, else the last. Pictures are those of the first folder that has any.
+/// Merges the rows of all `folders` into `out`: of the same run done twice, the last that ended
+/// well, else the last. Copies the pictures of the first folder that has any. O(n).
 ///
 /// # Errors
 /// A folder cannot be read, or `out` not be written.
 pub fn merge(folders: &[PathBuf], out: &Path) -> Result<Results, ResultsError> {
-    let mut merged = Results::default();
+    let (mut merged, mut index) = (Results::default(), RunIndex::default());
     for folder in folders {
         let part = Results::read(folder)?;
         for record in part.records {
-            let known =
-                merged.records.iter().any(|other| other.is_ok() && other.is_same_run(&record));
-            if record.is_ok() || !known {
-                merged.push(record);
+            let known = index.find(&merged.records, &record);
+            if record.is_ok() || !known.is_some_and(RunRecord::is_ok) {
+                index.put(&mut merged.records, record);
             }
         }
         merged.damaged.extend(part.damaged);
@@ -44,9 +44,7 @@ fn copy_pictures(folders: &[PathBuf], out: &Path) -> io::Result<()> {
     fs::create_dir_all(out.join("pictures"))?;
     for entry in fs::read_dir(gallery)? {
         let entry = entry?;
-        let mut file = AtomicFile::create(&out.join("pictures").join(entry.file_name()))?;
-        file.write_all(&fs::read(entry.path())?)?;
-        file.commit()?;
+        whole_file::write(&out.join("pictures").join(entry.file_name()), &fs::read(entry.path())?)?;
     }
     Ok(())
 }

@@ -1,21 +1,27 @@
-//! Experiments: what is run, how, and what is remembered of it.
+//! Experiments: what is run, how, and what is recorded of it.
 //!
-//! Data flows one way: an experiment file becomes a plan, a plan becomes runs, a run becomes one row
-//! of `runs.csv`. Reports read those rows and nothing else.
+//! Data flows one way: an experiment file becomes a plan, a plan becomes runs, a run becomes one
+//! row of `runs.csv`. Reports read those rows, and the pictures beside them.
 
-pub mod data;
+mod command_line;
+mod completion;
+pub mod data_folder;
 pub mod estimate;
 pub mod job;
 pub mod journal;
-mod judge;
 pub mod machine;
+pub mod measured;
 pub mod merge;
 pub mod plan;
 pub mod process;
 pub mod record;
 pub mod results;
 pub mod run;
+pub mod run_id;
 pub mod spec;
 
+pub use job::Job;
+pub use measured::Measured;
 pub use record::{Outcome, RunRecord};
 pub use results::Results;
+pub use run_id::{MeshId, RunId};

@@ -1,39 +1,38 @@
-//! From experiment files to the runs that they ask for, in the order in which they are executed.
+//! From experiment files to their runs, in the order in which they are executed.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use super::data::DataMesh;
+use super::data_folder::DataMesh;
 use super::job::Job;
 use super::results::Planned;
-use super::spec::{Experiment, Group, Limits, RunSpec};
+use super::run_id::{MeshId, RunId};
+use super::spec::{Experiment, Limits, MeshGroup, RunSpec};
+use crate::meshes::MeshKind;
 use crate::meshes::paper::{self, PaperMesh, Scale};
 use triquad::random::Random;
 
-/// What is to be run, block by block.
+/// The runs to do, block by block.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// How large the meshes are.
     pub scale: Scale,
-    /// One block is one mesh and one repetition with all its algorithms: what is compared runs
-    /// together, on one machine.
+    /// The blocks. What is compared is in one block, so that it runs together on one machine.
     pub blocks: Vec<Block>,
     /// The meshes whose quads are drawn.
     pub pictured: Vec<PlannedMesh>,
-    /// What a reader should know of the meshes.
+    /// Remarks on the meshes of the data folders.
     pub remarks: Vec<String>,
 }
 
 /// One mesh, one repetition, all its algorithms in a seeded random order.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// Name of the experiment.
-    pub experiment: String,
-    /// Name of the group.
-    pub group: String,
-    /// The mesh.
+    /// The mesh in its experiment and group.
+    pub id: MeshId,
+    /// Where the mesh comes from.
     pub mesh: PlannedMesh,
-    /// From 0.
+    /// Repetition, from 0.
     pub repetition: u32,
     /// When a run is stopped.
     pub limits: Limits,
@@ -44,7 +43,7 @@ pub struct Block {
 /// One run of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlannedRun {
-    /// What it does.
+    /// Its job.
     pub job: Job,
     /// Its seed: equal for equal experiment, mesh, algorithm and repetition.
     pub seed: u64,
@@ -81,23 +80,24 @@ pub enum Source {
 /// A name that is neither a mesh of the papers nor a file in a data folder.
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{experiment}: {name:?} is no mesh of the papers and in no data folder")]
-pub struct UnknownMesh {
+pub struct UnknownMeshError {
     experiment: String,
     name: String,
 }
 
 impl Plan {
-    /// What `experiments` ask for, with the meshes of `data` where a name fits.
+    /// Plans the runs of `experiments`, on the meshes of `data` where a name fits.
     ///
-    /// Meshes of a group in ascending size, so that what takes too long shows on the smaller ones.
+    /// Meshes of a group are in ascending size, so that slow algorithms time out on the smaller
+    /// ones.
     ///
     /// # Errors
     /// A mesh is unknown.
-    pub fn of(
+    pub fn new(
         experiments: &[Experiment],
         scale: Scale,
         data: &[DataMesh],
-    ) -> Result<Self, UnknownMesh> {
+    ) -> Result<Self, UnknownMeshError> {
         let mut plan =
             Self { scale, blocks: Vec::new(), pictured: Vec::new(), remarks: Vec::new() };
         for experiment in experiments {
@@ -110,7 +110,7 @@ impl Plan {
                 plan.pictured.push(pictured.ok_or_else(|| unknown(experiment, name))?);
             }
         }
-        // Two experiments may have the same to say.
+        // Two experiments may make the same remark.
         let mut said = BTreeSet::new();
         plan.remarks.retain(|remark| said.insert(remark.clone()));
         Ok(plan)
@@ -119,9 +119,9 @@ impl Plan {
     fn add_group(
         &mut self,
         experiment: &Experiment,
-        group: &Group,
+        group: &MeshGroup,
         data: &[DataMesh],
-    ) -> Result<(), UnknownMesh> {
+    ) -> Result<(), UnknownMeshError> {
         let mut meshes = Vec::new();
         for name in &group.meshes {
             let mesh = self.find_mesh(name, data);
@@ -159,7 +159,7 @@ impl Plan {
         Some(PlannedMesh::made(paper, self.scale))
     }
 
-    /// The meshes of `data` that are none of the papers'.
+    /// Returns the meshes of `data` that are none of the papers'.
     fn other_data(&mut self, data: &[DataMesh]) -> Vec<PlannedMesh> {
         let is_paper = |mesh: &DataMesh| {
             paper::ALL.iter().any(|paper| mesh.is_called(paper.name) && mesh.has_counts_of(paper))
@@ -176,7 +176,7 @@ impl Plan {
         meshes
     }
 
-    fn add_mesh(&mut self, experiment: &Experiment, group: &Group, mesh: &PlannedMesh) {
+    fn add_mesh(&mut self, experiment: &Experiment, group: &MeshGroup, mesh: &PlannedMesh) {
         let repetitions = |run: &RunSpec| run.repetitions(&mesh.name, self.scale);
         let most = group.runs.iter().map(repetitions).max().unwrap_or(0);
         for repetition in 0..most {
@@ -193,8 +193,12 @@ impl Plan {
             let words = ["order", &experiment.name, &mesh.name, &repetition.to_string()];
             Random::stream(experiment.seed, &words).shuffle(&mut runs);
             self.blocks.push(Block {
-                experiment: experiment.name.clone(),
-                group: group.name.clone(),
+                id: MeshId {
+                    experiment: experiment.name.clone(),
+                    scale: self.scale,
+                    group: group.name.clone(),
+                    name: mesh.name.clone(),
+                },
                 mesh: mesh.clone(),
                 repetition,
                 limits: experiment.limits,
@@ -203,46 +207,44 @@ impl Plan {
         }
     }
 
-    /// Keeps every `of`th block, from the `shard`th, counted from 1. Blocks are dealt out within each
-    /// mesh, so that a mesh's repetitions spread. The first part has the pictures.
+    /// Keeps every `of`th block, from the `shard`th, counted from 1, so that the repetitions of a
+    /// mesh spread over the parts. The first part has the pictures.
     pub fn shard(&mut self, shard: usize, of: usize) {
-        let mut place = 0..;
-        self.blocks.retain(|_| place.next().is_some_and(|i: usize| i % of == shard - 1));
+        let blocks = std::mem::take(&mut self.blocks).into_iter().enumerate();
+        let own = blocks.filter(|(place, _)| place % of == shard - 1);
+        self.blocks = own.map(|(_, block)| block).collect();
         if shard != 1 {
             self.pictured.clear();
         }
     }
 
-    /// What is planned, one row for each mesh and job.
+    /// Returns one row for each mesh and job.
     pub fn rows(&self) -> Vec<Planned> {
-        let first = self.blocks.iter().filter(|block| block.repetition == 0);
-        first.flat_map(|block| block.runs.iter().map(|run| self.row(block, run))).collect()
-    }
-
-    fn row(&self, block: &Block, run: &PlannedRun) -> Planned {
-        let text = |name: Option<&str>| name.map(str::to_owned);
-        Planned {
-            experiment: block.experiment.clone(),
-            scale: self.scale.id().into(),
-            group: block.group.clone(),
-            mesh: block.mesh.name.clone(),
-            algorithm: run.job.algorithm().into(),
-            lrs_variant: text(run.job.lrs_variant()),
-            augmentation: text(run.job.augmentation()),
-            order: text(run.job.order()),
+        let row = |block: &Block, run: &PlannedRun| Planned {
+            id: block.run_id(run),
             repetitions: run.repetitions,
-        }
+        };
+        let first = self.blocks.iter().filter(|block| block.repetition == 0);
+        first.flat_map(|block| block.runs.iter().map(|run| row(block, run))).collect()
     }
 }
 
-fn unknown(experiment: &Experiment, name: &str) -> UnknownMesh {
-    UnknownMesh { experiment: experiment.name.clone(), name: name.into() }
+impl Block {
+    /// Returns the identity of one of its runs.
+    pub fn run_id(&self, run: &PlannedRun) -> RunId {
+        RunId { mesh: self.id.clone(), job: run.job }
+    }
 }
 
-/// A seed of this run alone, the same for each way to augment: adding a run moves no other.
+fn unknown(experiment: &Experiment, name: &str) -> UnknownMeshError {
+    UnknownMeshError { experiment: experiment.name.clone(), name: name.into() }
+}
+
+/// Returns the seed of a run. It depends on names alone and is the same for each augmentation, so
+/// that an added run changes no other.
 fn seed(experiment: &Experiment, mesh: &PlannedMesh, job: Job, repetition: u32) -> u64 {
     let words = ["seed", &mesh.name, job.algorithm(), &repetition.to_string()];
-    // So small that every reader of CSV and JSON keeps all its digits.
+    // 32 bits, so that every reader of CSV and JSON keeps all digits.
     u64::from(Random::stream(experiment.seed, &words).below(u32::MAX))
 }
 
@@ -268,10 +270,10 @@ impl PlannedMesh {
         }
     }
 
-    /// `real`, `generated`, `simplified` or `stand-in`.
-    pub fn kind(&self) -> &'static str {
+    /// Returns the kind of the mesh in records.
+    pub fn kind(&self) -> MeshKind {
         match &self.source {
-            Source::File(..) => "real",
+            Source::File(..) => MeshKind::Real,
             Source::Made(mesh, _) => mesh.kind(),
         }
     }
@@ -316,7 +318,7 @@ mod tests {
 
     #[test]
     fn blocks_hold_what_is_compared_smaller_meshes_first() {
-        let plan = Plan::of(&[experiment(GROUPS)], Scale::Full, &[]).unwrap();
+        let plan = Plan::new(&[experiment(GROUPS)], Scale::Full, &[]).unwrap();
         let blocks: Vec<_> = plan
             .blocks
             .iter()
@@ -333,31 +335,31 @@ mod tests {
         ];
         assert_eq!(blocks, expected);
         assert_eq!(plan.rows().len(), 15);
-        assert_eq!(plan.blocks[0].mesh.kind(), "stand-in");
+        assert_eq!(plan.blocks[0].mesh.kind(), MeshKind::StandIn);
     }
 
     #[test]
     fn seeds_depend_on_names_alone() {
-        let all = Plan::of(&[experiment(GROUPS)], Scale::Full, &[]).unwrap();
+        let all = Plan::new(&[experiment(GROUPS)], Scale::Full, &[]).unwrap();
         let fewer = GROUPS.replace("\"A5\", ", "").replace("[\"sg\", \"ps\"]", "[\"ps\"]");
-        let fewer = Plan::of(&[experiment(&fewer)], Scale::Full, &[]).unwrap();
+        let fewer = Plan::new(&[experiment(&fewer)], Scale::Full, &[]).unwrap();
         let seeds = |plan: &Plan, mesh: &str| {
             let blocks = plan.blocks.iter().filter(|block| block.mesh.name == mesh);
             let runs = blocks.flat_map(|block| block.runs.iter());
-            let ps = runs.filter(|run| run.job.label() == "ps tarjan");
+            let ps = runs.filter(|run| run.job.name() == "ps tarjan");
             ps.map(|run| run.seed).collect::<Vec<_>>()
         };
         let botijo = seeds(&all, "botijo");
         assert_eq!(botijo, seeds(&fewer, "botijo"));
         assert!(botijo[0] != botijo[1] && botijo[0] != seeds(&all, "A1")[0]);
         let runs = &all.blocks[0].runs;
-        let of = |label| runs.iter().find(|run| run.job.label() == label).unwrap().seed;
+        let of = |label| runs.iter().find(|run| run.job.name() == label).unwrap().seed;
         assert_eq!(of("sg tarjan"), of("sg local"));
     }
 
     #[test]
     fn shards_share_out_every_block_once() {
-        let mut whole = Plan::of(&[experiment(GROUPS)], Scale::Demo, &[]).unwrap();
+        let mut whole = Plan::new(&[experiment(GROUPS)], Scale::Demo, &[]).unwrap();
         whole.pictured.push(whole.blocks[0].mesh.clone());
         let names = |plan: &Plan| {
             let name = |block: &Block| format!("{} {}", block.mesh.name, block.repetition);
@@ -382,24 +384,24 @@ mod tests {
         let experiments = [experiment(&more)];
         let broken = DataMesh { problem: Some("a hole".into()), ..real("torn", 9, 0) };
         let data = [real("Botijo_scan", 20_000, 5), real("botijo-2", 77, 5), broken];
-        let plan = Plan::of(&experiments, Scale::Full, &data).unwrap();
+        let plan = Plan::new(&experiments, Scale::Full, &data).unwrap();
         let kind = |name: &str| {
             plan.blocks.iter().find(|block| block.mesh.name == name).map(|b| b.mesh.kind())
         };
-        assert_eq!(kind("botijo"), Some("real"));
-        assert_eq!(kind("botijo-2"), Some("real"));
+        assert_eq!(kind("botijo"), Some(MeshKind::Real));
+        assert_eq!(kind("botijo-2"), Some(MeshKind::Real));
         assert_eq!([kind("Botijo_scan"), kind("torn")], [None, None]);
         assert_eq!(plan.remarks.len(), 1, "{:?}", plan.remarks);
         let twice = [experiments[0].clone(), experiments[0].clone()];
-        assert_eq!(Plan::of(&twice, Scale::Full, &data).unwrap().remarks, plan.remarks);
-        let plan = Plan::of(&experiments, Scale::Demo, &data).unwrap();
-        assert_eq!(plan.blocks[0].mesh.kind(), "stand-in");
+        assert_eq!(Plan::new(&twice, Scale::Full, &data).unwrap().remarks, plan.remarks);
+        let plan = Plan::new(&experiments, Scale::Demo, &data).unwrap();
+        assert_eq!(plan.blocks[0].mesh.kind(), MeshKind::StandIn);
     }
 
     #[test]
     fn an_unknown_mesh_is_named() {
         let unknown = experiment(&GROUPS.replace("A5", "A9"));
-        let error = Plan::of(&[unknown], Scale::Full, &[]).unwrap_err();
+        let error = Plan::new(&[unknown], Scale::Full, &[]).unwrap_err();
         assert_eq!(error.to_string(), "x: \"A9\" is no mesh of the papers and in no data folder");
     }
 }

@@ -23,15 +23,15 @@ const GRACE: Duration = Duration::from_secs(1);
 /// How a run's process ended.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ending {
-    /// In one word.
+    /// How it ended.
     pub outcome: Outcome,
     /// Why, where that is not `ok`.
     pub reason: String,
-    /// What it printed on standard output.
+    /// Its standard output.
     pub output: Vec<u8>,
 }
 
-/// Runs `program` with `arguments`.
+/// Runs `program` with `arguments` and waits for its end.
 ///
 /// # Errors
 /// The process cannot be started or waited for.
@@ -53,16 +53,16 @@ pub fn run(program: &Path, arguments: &[OsString], limits: Limits) -> io::Result
         }
         Some(output) => {
             if was_stopped(output.status) {
-                // A terminal or a batch system stops both: then this process ends here, before a row
-                // says that the run has crashed.
+                // A terminal or a batch system stops both: then this process ends here, before a
+                // row says that the run has crashed.
                 std::thread::sleep(GRACE);
             }
-            Ending::of(output)
+            Ending::from(output)
         }
     })
 }
 
-/// Whether a process was ended from outside.
+/// Returns whether a process was ended from outside.
 fn was_stopped(status: ExitStatus) -> bool {
     status.code().is_none_or(|code| code == i64::from(INTERRUPTED))
 }
@@ -71,8 +71,10 @@ impl Ending {
     fn bad(outcome: Outcome, reason: String) -> Self {
         Self { outcome, reason, output: Vec::new() }
     }
+}
 
-    fn of(output: Output) -> Self {
+impl From<Output> for Ending {
+    fn from(output: Output) -> Self {
         let stderr = String::from_utf8_lossy(&output.stderr);
         let last_line = stderr.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default();
         if output.status.success() {
@@ -80,7 +82,7 @@ impl Ending {
         }
         let outcome = match output.status.code() {
             _ if stderr.contains("memory allocation of") => Outcome::OutOfMemory,
-            // A check said no, or the mesh was refused.
+            // A check failed, or the mesh was refused.
             Some(1 | 2) => Outcome::Invalid,
             _ => Outcome::Crash,
         };
@@ -88,7 +90,7 @@ impl Ending {
     }
 }
 
-/// In one line.
+/// Returns the reason of a bad end in one line.
 fn reason(status: ExitStatus, last_line: &str) -> String {
     let status = match status.code() {
         Some(code) => format!("exit code {code}"),

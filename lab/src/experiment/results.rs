@@ -1,32 +1,35 @@
-//! A folder of results: `runs.csv`, one row a run, and `machines.json`, where they ran.
+//! A folder of results: `runs.csv`, one row a run; `plan.csv`, the planned runs; `machines.json`,
+//! where they ran.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 
-use super::record::{RunRecord, SCHEMA};
+use super::record::{RowError, RunRecord};
+use super::run_id::RunId;
 
 /// Facts about a machine and a build, by name: processor, cores, memory, system, compiler …
-pub type Facts = BTreeMap<String, String>;
+pub type MachineFacts = BTreeMap<String, String>;
 
-/// What a results folder holds.
+/// Content of a results folder.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Results {
-    /// The rows that can be read, in the order of the file.
+    /// The readable rows, in the order of the file.
     pub records: Vec<RunRecord>,
-    /// The rows that cannot.
-    pub damaged: Vec<Damaged>,
-    /// The runs that were planned, where that is known: what has no row is missing.
+    /// The rows that cannot be read.
+    pub damaged: Vec<DamagedRow>,
+    /// The planned runs, where they are known: a planned run without a row is missing.
     pub planned: Vec<Planned>,
     /// Machines by the name that rows use.
-    pub machines: BTreeMap<String, Facts>,
+    pub machines: BTreeMap<String, MachineFacts>,
 }
 
 /// A line of `runs.csv` that is no record.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Damaged {
+pub struct DamagedRow {
     /// Line, from 1.
     pub line: u64,
     /// The line as it is.
@@ -35,27 +38,33 @@ pub struct Damaged {
     pub problem: String,
 }
 
-/// A run that was planned: a row of `plan.csv`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Planned repetitions: a row of `plan.csv`.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Planned {
-    /// Name of the experiment file.
-    pub experiment: String,
-    /// `full`, `small` or `demo`.
-    pub scale: String,
-    /// Group of meshes within the experiment.
-    pub group: String,
-    /// Name of the mesh.
-    pub mesh: String,
-    /// `sg ps ds gw lrs tq`, or `rs schipper brute-force`.
-    pub algorithm: String,
-    /// For `lrs`: `printed` or `few-flips`.
-    pub lrs_variant: Option<String>,
-    /// For conversions: `tarjan` or `local`.
-    pub augmentation: Option<String>,
-    /// For irreducible triangulations: `file` or `random`.
-    pub order: Option<String>,
+    /// What is repeated.
+    pub id: RunId,
     /// Number of repetitions, fixed before anything ran.
     pub repetitions: u32,
+}
+
+/// The last column of `plan.csv`.
+#[derive(Serialize, Deserialize)]
+struct Repetitions {
+    repetitions: u32,
+}
+
+impl Planned {
+    /// Returns the columns of `plan.csv`.
+    pub fn to_row(&self) -> impl Serialize {
+        (&self.id.mesh, self.id.job, Repetitions { repetitions: self.repetitions })
+    }
+
+    fn from_row(row: &StringRecord, names: &StringRecord) -> csv::Result<Self> {
+        let names = Some(names);
+        let id = RunId { mesh: row.deserialize(names)?, job: row.deserialize(names)? };
+        let Repetitions { repetitions } = row.deserialize(names)?;
+        Ok(Self { id, repetitions })
+    }
 }
 
 /// Why a results folder cannot be read.
@@ -68,79 +77,96 @@ pub struct ResultsError {
     pub error: io::Error,
 }
 
+/// Places of runs in a list of records, so that no run has two rows.
+#[derive(Debug, Default)]
+pub(super) struct RunIndex(HashMap<(RunId, u32), usize>);
+
+impl RunIndex {
+    /// Indexes `records`. O(n).
+    pub fn new(records: &[RunRecord]) -> Self {
+        let run = |record: &RunRecord| (record.id.clone(), record.repetition);
+        Self(records.iter().enumerate().map(|(place, record)| (run(record), place)).collect())
+    }
+
+    /// Returns the row of the same run.
+    pub fn find<'r>(&self, records: &'r [RunRecord], run: &RunRecord) -> Option<&'r RunRecord> {
+        self.0.get(&(run.id.clone(), run.repetition)).map(|&place| &records[place])
+    }
+
+    /// Appends a row, or replaces that of the same run, which another program may have done. O(1).
+    pub fn put(&mut self, records: &mut Vec<RunRecord>, record: RunRecord) {
+        let place = *self.0.entry((record.id.clone(), record.repetition)).or_insert(records.len());
+        if place == records.len() {
+            records.push(record);
+        } else {
+            records[place] = record;
+        }
+    }
+}
+
 impl Results {
     /// Reads `runs.csv`, `plan.csv` and `machines.json` in `folder`; the latter two may be absent.
+    /// O(n).
     ///
     /// # Errors
-    /// A file cannot be read. Rows that are damaged are no error: see [`Results::damaged`].
+    /// A file cannot be read. Damaged rows are no error: see [`Results::damaged`].
     pub fn read(folder: &Path) -> Result<Self, ResultsError> {
         let mut results = Self::default();
         let path = folder.join("runs.csv");
         let text = std::fs::read(&path).map_err(|error| ResultsError { path, error })?;
-        results.take_rows(&String::from_utf8_lossy(&text));
-        results.planned = read_plan(&folder.join("plan.csv"))?;
-        results.machines = read_machines(&folder.join("machines.json"))?;
+        results.read_rows(&String::from_utf8_lossy(&text));
+        results.planned = read_if_there(folder.join("plan.csv"), read_plan)?;
+        results.machines = read_if_there(folder.join("machines.json"), |bytes| {
+            Ok(serde_json::from_slice(bytes)?)
+        })?;
         Ok(results)
     }
 
-    /// Adds a row; of a run that was done before, by another program perhaps, it takes the place.
-    pub fn push(&mut self, record: RunRecord) {
-        match self.records.iter_mut().find(|other| other.is_same_run(&record)) {
-            Some(before) => *before = record,
-            None => self.records.push(record),
-        }
-    }
-
-    /// Takes each line for itself, so that a damaged one spoils no other. No field holds a line break.
-    fn take_rows(&mut self, text: &str) {
+    /// Reads each line by itself, so that a damaged one spoils no other. No field has a line break.
+    fn read_rows(&mut self, text: &str) {
         let mut lines = text.lines();
-        let Some(header) = lines.next() else { return };
+        let Some(names) = lines.next().and_then(|line| fields(line).ok()) else { return };
         let count = text.lines().count();
+        let mut index = RunIndex::default();
         for (i, line) in lines.enumerate() {
             // A row cut off within its last number would look complete.
-            let cut_off = i + 2 == count && !text.ends_with('\n');
-            let row = if cut_off { Err("it is cut off".into()) } else { parse_row(header, line) };
-            match row {
-                Ok(record) => self.push(record),
-                Err(problem) => {
-                    self.damaged.push(Damaged { line: i as u64 + 2, text: line.into(), problem });
-                }
+            let is_cut_off = i + 2 == count && !text.ends_with('\n');
+            let row = if is_cut_off { Err(RowError::CutOff) } else { fields(line) };
+            match row.and_then(|row| RunRecord::from_row(&row, &names)) {
+                Ok(record) => index.put(&mut self.records, record),
+                Err(error) => self.damaged.push(DamagedRow {
+                    line: i as u64 + 2,
+                    text: line.into(),
+                    problem: error.to_string(),
+                }),
             }
         }
     }
 }
 
-fn parse_row(header: &str, line: &str) -> Result<RunRecord, String> {
-    let text = format!("{header}\n{line}\n");
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let record: RunRecord = match reader.deserialize().next() {
-        Some(row) => row.map_err(|error| error.to_string())?,
-        None => return Err("an empty line".into()),
+/// Splits one line of comma-separated values.
+fn fields(line: &str) -> Result<StringRecord, RowError> {
+    let mut reader = csv::ReaderBuilder::new();
+    let mut reader =
+        reader.has_headers(false).buffer_capacity(1 << 10).from_reader(line.as_bytes());
+    reader.records().next().ok_or(RowError::Empty)?.map_err(RowError::from)
+}
+
+fn read_plan(bytes: &[u8]) -> io::Result<Vec<Planned>> {
+    let mut reader = csv::Reader::from_reader(bytes);
+    let names = reader.headers()?.clone();
+    let row = |row: csv::Result<StringRecord>| Ok(Planned::from_row(&row?, &names)?);
+    reader.records().map(row).collect()
+}
+
+/// Reads a file; one that is not there is empty.
+fn read_if_there<T: Default>(
+    path: PathBuf,
+    parse: impl FnOnce(&[u8]) -> io::Result<T>,
+) -> Result<T, ResultsError> {
+    let parsed = match std::fs::read(&path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(T::default()),
+        bytes => bytes.and_then(|bytes| parse(&bytes)),
     };
-    if record.schema != SCHEMA {
-        return Err(format!("its schema is {:?} instead of {SCHEMA:?}", record.schema));
-    }
-    Ok(record)
-}
-
-fn read_plan(path: &Path) -> Result<Vec<Planned>, ResultsError> {
-    let failure = |error| ResultsError { path: path.to_owned(), error };
-    match std::fs::read(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Vec::new()),
-        Err(error) => Err(failure(error)),
-        Ok(bytes) => {
-            let rows: Result<_, _> = csv::Reader::from_reader(&bytes[..]).deserialize().collect();
-            rows.map_err(|error| failure(io::Error::new(io::ErrorKind::InvalidData, error)))
-        }
-    }
-}
-
-fn read_machines(path: &Path) -> Result<BTreeMap<String, Facts>, ResultsError> {
-    let failure = |error| ResultsError { path: path.to_owned(), error };
-    match std::fs::read(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(BTreeMap::new()),
-        Err(error) => Err(failure(error)),
-        Ok(bytes) => serde_json::from_slice(&bytes)
-            .map_err(|error| failure(io::Error::new(io::ErrorKind::InvalidData, error))),
-    }
+    parsed.map_err(|error| ResultsError { path, error })
 }

@@ -1,69 +1,84 @@
-//! Carries out a plan: every run a process, every process a row, nothing done twice.
+//! Executes a plan: every run a process, every process a row, nothing done twice.
 
 use std::ffi::OsString;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
+use super::command_line::{arguments, command};
+use super::completion::complete;
 use super::estimate::run_seconds;
 use super::journal::Journal;
-use super::judge::judge;
 use super::machine::{self, hash_of_words};
+use super::measured::Measured;
 use super::plan::{Block, Plan, PlannedMesh, PlannedRun, Source};
 use super::process::{self, Ending};
 use super::record::{Outcome, RunRecord, SCHEMA};
 use super::spec::Limits;
-use crate::meshes::paper::Scale;
+use crate::meshes::paper::{PaperMesh, Scale};
 use triquad::clock::Clock;
 
-/// How runs are carried out.
+/// Settings of runs.
 #[derive(Clone, Debug)]
 pub struct Runner {
     /// The `triquad` that is run.
     pub program: PathBuf,
-    /// What tells it from other builds.
+    /// Hash that tells it from other builds.
     pub program_hash: String,
-    /// The name of this machine in records.
+    /// Name of this machine in records.
     pub machine: String,
-    /// Where made meshes are put while they are used.
+    /// Folder for made meshes while they are used.
     pub workshop: PathBuf,
-    /// Where meshes are kept that take long to make.
+    /// Folder for meshes that take long to make.
     pub cache: Option<PathBuf>,
     /// Runs at the same time.
     pub jobs: u32,
 }
 
-/// Is told what happens.
-pub trait Observer: Sync {
-    /// Before anything runs: seconds that all that is left may take.
+/// Receives progress events.
+pub trait RunObserver: Sync {
+    /// Called once before anything runs, with the seconds that all open runs may take.
     fn begin(&self, _runs: usize, _seconds: f64) {}
-    /// A mesh is made or read.
+    /// Called before a mesh is made or read.
     fn preparing(&self, _mesh: &PlannedMesh) {}
-    /// A run begins.
+    /// Called before a run.
     fn running(&self, _block: &Block, _run: &PlannedRun) {}
-    /// A run has its row; `estimate` was its part of the seconds told at first.
+    /// Called after a run; `estimate` was its part of the seconds of `begin`.
     fn finished(&self, _record: &RunRecord, _estimate: f64) {}
-    /// All runs of a block have their rows.
-    fn block_done(&self) -> io::Result<()> {
+    /// Called when all runs of a block have their rows.
+    ///
+    /// # Errors
+    /// What was to be written could not be written; nothing more is run.
+    fn block_done(&self, _journal: &Journal) -> io::Result<()> {
         Ok(())
     }
-    /// All that was to be run on a mesh has its rows.
+    /// Called when all runs on a mesh have their rows.
     fn mesh_done(&self, _mesh: &PlannedMesh, _journal: &Journal) {}
 }
 
-/// A mesh, and its file with that one's hash, or why there is none.
-type AtHand = (PlannedMesh, Result<(PathBuf, String), String>);
+/// Why a run has no mesh.
+#[derive(Clone, Debug, thiserror::Error)]
+enum MeshFileError {
+    #[error("the mesh could not be made: {0}")]
+    Make(String),
+    #[error("{} cannot be read: {problem}", path.display())]
+    Read { path: PathBuf, problem: String },
+}
 
-/// A block whose mesh is at hand.
-struct Ready<'a> {
-    block: &'a Block,
-    scale: Scale,
-    mesh_file: PathBuf,
-    mesh_hash: String,
+/// A mesh file and its hash.
+struct MeshFile {
+    path: PathBuf,
+    sha256: String,
+}
+
+/// The mesh of the current block.
+struct AtHand {
+    mesh: PlannedMesh,
+    file: Result<MeshFile, MeshFileError>,
 }
 
 impl Runner {
-    /// Carries out what of `plan` has no row in `journal` yet.
+    /// Executes what of `plan` has no row in `journal` yet.
     ///
     /// # Errors
     /// A row cannot be written. What goes wrong in a run is in its row.
@@ -72,7 +87,7 @@ impl Runner {
         plan: &Plan,
         journal: &mut Journal,
         clock: &(impl Clock + Sync),
-        observer: &dyn Observer,
+        observer: &dyn RunObserver,
     ) -> io::Result<()> {
         journal.note_plan(plan.rows())?;
         let (runs, seconds) = self.left(plan, journal);
@@ -80,45 +95,37 @@ impl Runner {
         let journal = Mutex::new(journal);
         let mut at_hand: Option<AtHand> = None;
         for block in &plan.blocks {
-            let open = self.open_runs(plan.scale, block, &lock(&journal));
+            let open = self.open_runs(block, &lock(&journal));
             if open.is_empty() {
                 continue;
             }
-            if at_hand.as_ref().is_none_or(|(mesh, _)| *mesh != block.mesh) {
+            if at_hand.as_ref().is_none_or(|at_hand| at_hand.mesh != block.mesh) {
                 self.leave(at_hand.take(), &lock(&journal), observer);
                 observer.preparing(&block.mesh);
-                at_hand = Some((block.mesh.clone(), self.prepare(&block.mesh, block.limits)));
+                let file = self.prepare(&block.mesh, block.limits);
+                at_hand = Some(AtHand { mesh: block.mesh.clone(), file });
             }
-            match &at_hand.as_ref().expect("it has just been put there").1 {
-                Err(problem) => {
+            match &at_hand.as_ref().expect("it has just been put there").file {
+                Err(error) => {
                     for run in open {
-                        let mut record = self.identity(plan.scale, block, run);
-                        record.outcome = Outcome::Crash;
-                        record.reason = problem.clone();
+                        let mut record = self.planned_record(block, run);
+                        (record.outcome, record.reason) = (Outcome::Crash, error.to_string());
                         lock(&journal).append(record)?;
                     }
                 }
-                Ok((mesh_file, mesh_hash)) => {
-                    let ready = Ready {
-                        block,
-                        scale: plan.scale,
-                        mesh_file: mesh_file.clone(),
-                        mesh_hash: mesh_hash.clone(),
-                    };
-                    self.run_block(&ready, &open, &journal, clock, observer)?;
-                }
+                Ok(file) => self.run_block(block, file, &open, &journal, clock, observer)?,
             }
-            observer.block_done()?;
+            observer.block_done(&lock(&journal))?;
         }
         self.leave(at_hand, &lock(&journal), observer);
         Ok(())
     }
 
-    /// How many runs have no row, and how long they may take.
+    /// Returns how many runs have no row, and the seconds that they may take.
     fn left(&self, plan: &Plan, journal: &Journal) -> (usize, f64) {
         let (mut runs, mut seconds) = (0, 0.0);
         for block in &plan.blocks {
-            for run in self.open_runs(plan.scale, block, journal) {
+            for run in self.open_runs(block, journal) {
                 runs += 1;
                 seconds += run_seconds(&block.mesh, run);
             }
@@ -126,31 +133,34 @@ impl Runner {
         (runs, seconds)
     }
 
-    fn open_runs<'b>(
-        &self,
-        scale: Scale,
-        block: &'b Block,
-        journal: &Journal,
-    ) -> Vec<&'b PlannedRun> {
-        let open = |run: &&PlannedRun| !journal.has(&self.identity(scale, block, run).key);
-        block.runs.iter().filter(open).collect()
+    fn open_runs<'b>(&self, block: &'b Block, journal: &Journal) -> Vec<&'b PlannedRun> {
+        block.runs.iter().filter(|run| !journal.has(&self.key(block, run))).collect()
     }
 
     /// Runs what is open in a block, `jobs` at a time.
     fn run_block(
         &self,
-        ready: &Ready<'_>,
+        block: &Block,
+        file: &MeshFile,
         open: &[&PlannedRun],
         journal: &Mutex<&mut Journal>,
         clock: &(impl Clock + Sync),
-        observer: &dyn Observer,
+        observer: &dyn RunObserver,
     ) -> io::Result<()> {
         let queue = Mutex::new(open.iter());
         let work = || -> io::Result<()> {
             loop {
                 let Some(run) = lock(&queue).next() else { return Ok(()) };
-                let record = self.run_one(ready, run, journal, clock, observer)?;
-                observer.finished(&record, run_seconds(&ready.block.mesh, run));
+                let mut record = self.planned_record(block, run);
+                record.mesh_sha256.clone_from(&file.sha256);
+                let record = match too_slow(&record, &lock(journal)) {
+                    Some(reason) => RunRecord { outcome: Outcome::Skipped, reason, ..record },
+                    None => {
+                        observer.running(block, run);
+                        self.run_process(record, block, run, &file.path, clock)?
+                    }
+                };
+                observer.finished(&record, run_seconds(&block.mesh, run));
                 lock(journal).append(record)?;
             }
         };
@@ -160,63 +170,44 @@ impl Runner {
         })
     }
 
-    fn run_one(
+    fn run_process(
         &self,
-        ready: &Ready<'_>,
+        record: RunRecord,
+        block: &Block,
         run: &PlannedRun,
-        journal: &Mutex<&mut Journal>,
+        mesh_file: &Path,
         clock: &(impl Clock + Sync),
-        observer: &dyn Observer,
     ) -> io::Result<RunRecord> {
-        let Ready { block, .. } = ready;
-        let mut record = self.identity(ready.scale, block, run);
-        record.mesh_sha256.clone_from(&ready.mesh_hash);
-        let too_slow = lock(journal)
-            .timed_out_below(&record, u64::from(block.mesh.triangles))
-            .map(|smaller| smaller.mesh.clone());
-        if let Some(smaller) = too_slow {
-            record.outcome = Outcome::Skipped;
-            record.reason = format!("it timed out on {smaller}, which is smaller");
-            return Ok(record);
-        }
-        observer.running(block, run);
-        let arguments = arguments(&ready.mesh_file, run);
-        let (ending, seconds) =
+        let arguments = arguments(mesh_file, run);
+        let (ending, process_seconds) =
             clock.time(|| process::run(&self.program, &arguments, block.limits));
-        record.process_seconds = seconds;
-        Ok(judge(record, ending?, &block.mesh))
+        Ok(complete(RunRecord { process_seconds, ..record }, ending?, &block.mesh))
     }
 
-    /// What is known of a run before it begins.
-    fn identity(&self, scale: Scale, block: &Block, run: &PlannedRun) -> RunRecord {
-        let text = |name: Option<&str>| name.map(str::to_owned);
+    /// Returns the record of a run before it begins.
+    fn planned_record(&self, block: &Block, run: &PlannedRun) -> RunRecord {
         RunRecord {
-            schema: SCHEMA.into(),
-            key: self.key(scale, block, run),
-            experiment: block.experiment.clone(),
-            scale: scale.id().into(),
-            group: block.group.clone(),
-            mesh: block.mesh.name.clone(),
-            mesh_kind: block.mesh.kind().into(),
-            algorithm: run.job.algorithm().into(),
-            lrs_variant: text(run.job.lrs_variant()),
-            augmentation: text(run.job.augmentation()),
-            order: text(run.job.order()),
+            key: self.key(block, run),
+            id: block.run_id(run),
+            mesh_kind: block.mesh.kind(),
             repetition: block.repetition,
             seed: run.seed,
             parallel_jobs: self.jobs,
             program: machine::program(),
             machine: self.machine.clone(),
             command: command(&block.mesh, run),
-            vertices: Some(block.mesh.vertices.into()),
-            triangles: Some(block.mesh.triangles.into()),
-            genus: Some(block.mesh.genus.into()),
+            measured: Measured {
+                vertices: Some(block.mesh.vertices.into()),
+                triangles: Some(block.mesh.triangles.into()),
+                genus: Some(block.mesh.genus.into()),
+                ..Measured::default()
+            },
             ..RunRecord::default()
         }
     }
 
-    /// Equal for equal work: mesh, algorithm, parameters, seed, program.
-    fn key(&self, scale: Scale, block: &Block, run: &PlannedRun) -> String {
+    /// Returns the key of a run; runs with equal keys are interchangeable.
+    fn key(&self, block: &Block, run: &PlannedRun) -> String {
         let mesh = match &block.mesh.source {
             Source::File(_, sha256) => sha256.clone(),
             // The program fixes its bytes.
@@ -226,12 +217,12 @@ impl Runner {
         hash_of_words(&[
             SCHEMA,
             &self.program_hash,
-            &block.experiment,
-            scale.id(),
-            &block.group,
-            &block.mesh.name,
+            &block.id.experiment,
+            block.id.scale.id(),
+            &block.id.group,
+            &block.id.name,
             &mesh,
-            &run.job.label(),
+            &run.job.name(),
             &block.repetition.to_string(),
             &run.seed.to_string(),
             &stop,
@@ -240,44 +231,44 @@ impl Runner {
         ])
     }
 
-    /// Makes sure that the mesh is in a file, and tells which and its hash.
-    fn prepare(&self, mesh: &PlannedMesh, limits: Limits) -> Result<(PathBuf, String), String> {
+    /// Makes the mesh if it has no file yet, and hashes the file.
+    fn prepare(&self, mesh: &PlannedMesh, limits: Limits) -> Result<MeshFile, MeshFileError> {
         let path = match &mesh.source {
             Source::File(path, _) => path.clone(),
-            Source::Made(made, scale) => self.make(mesh, made.name, *scale, limits)?,
+            Source::Made(made, scale) => self.make(made, *scale, limits)?,
         };
-        let hash = machine::hash_of_file(&path);
-        let hash = hash.map_err(|error| format!("{} cannot be read: {error}", path.display()))?;
-        Ok((path, hash))
+        match machine::hash_of_file(&path) {
+            Ok(sha256) => Ok(MeshFile { path, sha256 }),
+            Err(error) => Err(MeshFileError::Read { path, problem: error.to_string() }),
+        }
     }
 
+    /// Makes a mesh in a process of its own.
     fn make(
         &self,
-        mesh: &PlannedMesh,
-        name: &str,
+        made: &PaperMesh,
         scale: Scale,
         limits: Limits,
-    ) -> Result<PathBuf, String> {
-        let failure = |problem: String| format!("the mesh could not be made: {problem}");
-        std::fs::create_dir_all(&self.workshop).map_err(|error| failure(error.to_string()))?;
-        let path = self.workshop.join(format!("{}-{}.ply", mesh.name, scale.id()));
-        let mut arguments: Vec<OsString> =
-            ["generate", "paper", name, "--scale", scale.id(), "-o"].map(Into::into).into();
+    ) -> Result<PathBuf, MeshFileError> {
+        let failure = |error: io::Error| MeshFileError::Make(error.to_string());
+        std::fs::create_dir_all(&self.workshop).map_err(failure)?;
+        let path = self.workshop.join(format!("{}-{}.ply", made.name, scale.id()));
+        let words = ["generate", "paper", made.name, "--scale", scale.id(), "-o"];
+        let mut arguments: Vec<OsString> = words.map(Into::into).into();
         arguments.push(path.clone().into());
         if let Some(cache) = &self.cache {
             arguments.extend(["--cache".into(), cache.into()]);
         }
-        let ending = process::run(&self.program, &arguments, limits);
-        match ending.map_err(|error| failure(error.to_string()))? {
+        match process::run(&self.program, &arguments, limits).map_err(failure)? {
             Ending { outcome: Outcome::Ok, .. } => Ok(path),
-            Ending { reason, .. } => Err(failure(reason)),
+            Ending { reason, .. } => Err(MeshFileError::Make(reason)),
         }
     }
 
     /// Removes a mesh that was made and is no longer needed.
-    fn leave(&self, at_hand: Option<AtHand>, journal: &Journal, observer: &dyn Observer) {
-        let Some((mesh, file)) = at_hand else { return };
-        if let (Source::Made(..), Ok((path, _))) = (&mesh.source, file) {
+    fn leave(&self, at_hand: Option<AtHand>, journal: &Journal, observer: &dyn RunObserver) {
+        let Some(AtHand { mesh, file }) = at_hand else { return };
+        if let (Source::Made(..), Ok(MeshFile { path, .. })) = (&mesh.source, file) {
             // What stays behind is replaced the next time.
             let _ = std::fs::remove_file(path);
             let _ = std::fs::remove_dir(&self.workshop);
@@ -286,42 +277,14 @@ impl Runner {
     }
 }
 
+/// Returns why a run is skipped: its job timed out on a smaller mesh.
+fn too_slow(run: &RunRecord, journal: &Journal) -> Option<String> {
+    let smaller = journal.timed_out_below(&run.id, run.measured.triangles?)?;
+    Some(format!("it timed out on {}, which is smaller", smaller.id.mesh.name))
+}
+
 fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-fn arguments(mesh_file: &Path, run: &PlannedRun) -> Vec<OsString> {
-    let mut arguments = vec![run.job.verb().into(), mesh_file.into()];
-    arguments.extend(options(run).into_iter().map(OsString::from));
-    arguments
-}
-
-fn options(run: &PlannedRun) -> Vec<String> {
-    let mut options: Vec<String> = run.job.options().into_iter().map(str::to_owned).collect();
-    options.extend(["--seed".into(), run.seed.to_string()]);
-    if let Some(paths) = run.stop_after_paths {
-        options.extend(["--stop-after-paths".into(), paths.to_string()]);
-    }
-    options.extend(["--stats".into(), "-".into()]);
-    options
-}
-
-/// What a reader types to see the same.
-fn command(mesh: &PlannedMesh, run: &PlannedRun) -> String {
-    let (make, file) = match &mesh.source {
-        Source::File(path, _) => {
-            (String::new(), path.file_name().unwrap_or_default().to_string_lossy().into_owned())
-        }
-        Source::Made(made, scale) => {
-            let file = format!("{}.ply", made.name);
-            let scale = match scale {
-                Scale::Full => String::new(),
-                other => format!(" --scale {}", other.id()),
-            };
-            (format!("triquad generate paper {}{scale} -o {file} && ", made.name), file)
-        }
-    };
-    format!("{make}triquad {} {file} {}", run.job.verb(), options(run).join(" "))
 }
 
 #[cfg(test)]
@@ -381,10 +344,10 @@ mod tests {
             jobs: 1,
         };
         let experiment: Experiment = toml::from_str(EXPERIMENT).unwrap();
-        let plan = Plan::of(&[experiment], Scale::Demo, &[]).unwrap();
+        let plan = Plan::new(&[experiment], Scale::Demo, &[]).unwrap();
         let mut journal = Journal::open(&folder.path().join("out")).unwrap();
         struct Silent;
-        impl Observer for Silent {}
+        impl RunObserver for Silent {}
         runner.execute(&plan, &mut journal, &SteppingClock::new(0.25), &Silent).unwrap();
         let rows = std::fs::read_to_string(folder.path().join("out/runs.csv")).unwrap();
         let rows = rows.replace(&machine::program(), "this program");

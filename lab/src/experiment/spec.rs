@@ -1,4 +1,4 @@
-//! Experiment files: which meshes, which algorithms, how often, within what limits.
+//! Experiment files: meshes, algorithms, repetitions, limits.
 //!
 //! ```toml
 //! name = "comparison"
@@ -24,15 +24,13 @@
 //! ```
 
 use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::job::Job;
+use super::job::{self, Job, UnknownNameError};
 use crate::meshes::paper::Scale;
-use triquad::augmentation::Augmentation;
-use triquad::irreducible::{Contractor, Order};
-use triquad::pairing::{Algorithm, Expansion};
 
 /// An experiment file.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -52,7 +50,7 @@ pub struct Experiment {
     pub limits: Limits,
     /// Meshes and what is run on them.
     #[serde(rename = "group")]
-    pub groups: Vec<Group>,
+    pub groups: Vec<MeshGroup>,
 }
 
 /// What the runs of an experiment do.
@@ -78,7 +76,7 @@ pub struct Limits {
 /// Meshes of like shape, and what is run on each.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Group {
+pub struct MeshGroup {
     /// Its name in records.
     pub name: String,
     /// Names of meshes, in any order.
@@ -128,10 +126,37 @@ pub struct Repetitions {
 
 /// What is wrong with an experiment file.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: {problem}", path.display())]
-pub struct SpecError {
+#[error("{}: {error}", path.display())]
+pub struct SpecFileError {
     path: PathBuf,
-    problem: String,
+    error: SpecError,
+}
+
+/// What is wrong with an experiment.
+#[derive(Debug, thiserror::Error)]
+pub enum SpecError {
+    /// The file cannot be read.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// The text is not what an experiment file is.
+    #[error("line {line}: {message}")]
+    Syntax {
+        /// Line, from 1.
+        line: usize,
+        /// What the reader of TOML says.
+        message: String,
+    },
+    /// A name is not known.
+    #[error(transparent)]
+    UnknownName(#[from] UnknownNameError),
+    /// A run has nothing to do.
+    #[error("a run of {algorithms:?} needs algorithms and {list}")]
+    NothingToRun {
+        /// The algorithms that it names.
+        algorithms: Vec<String>,
+        /// The list that is missing if the algorithms are not.
+        list: &'static str,
+    },
 }
 
 impl Experiment {
@@ -139,18 +164,18 @@ impl Experiment {
     ///
     /// # Errors
     /// It cannot be read, is no TOML, or names something unknown.
-    pub fn read(path: &Path) -> Result<Self, SpecError> {
-        let failure = |problem: String| SpecError { path: path.to_owned(), problem };
-        let text = std::fs::read_to_string(path).map_err(|error| failure(error.to_string()))?;
-        Self::parse(&text).map_err(failure)
+    pub fn read(path: &Path) -> Result<Self, SpecFileError> {
+        let text = std::fs::read_to_string(path).map_err(SpecError::Io);
+        let read = text.and_then(|text| Self::parse(&text));
+        read.map_err(|error| SpecFileError { path: path.to_owned(), error })
     }
 
-    /// Understands the text of an experiment file.
-    fn parse(text: &str) -> Result<Self, String> {
+    /// Parses the text of an experiment file.
+    fn parse(text: &str) -> Result<Self, SpecError> {
         let parsed: Result<Self, toml::de::Error> = toml::from_str(text);
         let experiment = parsed.map_err(|error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-            format!("line {line}: {}", error.message())
+            SpecError::Syntax { line, message: error.message().into() }
         })?;
         for run in experiment.groups.iter().flat_map(|group| &group.runs) {
             run.jobs(experiment.task)?;
@@ -160,37 +185,34 @@ impl Experiment {
 }
 
 impl RunSpec {
-    /// What is run, every algorithm in every way.
-    pub(super) fn jobs(&self, task: Task) -> Result<Vec<Job>, String> {
+    /// Returns the jobs, every algorithm in every way.
+    pub(super) fn jobs(&self, task: Task) -> Result<Vec<Job>, SpecError> {
         let mut jobs = Vec::new();
         for name in &self.algorithms {
             match task {
                 Task::Convert => {
-                    let algorithm = conversion(name)?;
-                    for way in &self.augmentations {
-                        let augmentation = find(Augmentation::ALL, Augmentation::id, way)?;
+                    let algorithm = job::find_conversion(name)?;
+                    for augmentation in &self.augmentations {
+                        let augmentation = job::find_augmentation(augmentation)?;
                         jobs.push(Job::Convert { algorithm, augmentation });
                     }
                 }
                 Task::Irreducible => {
-                    let method = find(Contractor::ALL, Contractor::id, name)?;
+                    let method = job::find_method(name)?;
                     for order in &self.orders {
-                        jobs.push(Job::Reduce {
-                            method,
-                            order: find(Order::ALL, Order::id, order)?,
-                        });
+                        jobs.push(Job::Reduce { method, order: job::find_order(order)? });
                     }
                 }
             }
         }
         if jobs.is_empty() {
             let list = if task == Task::Convert { "augmentations" } else { "orders" };
-            return Err(format!("a run of {:?} needs algorithms and {list}", self.algorithms));
+            return Err(SpecError::NothingToRun { algorithms: self.algorithms.clone(), list });
         }
         Ok(jobs)
     }
 
-    /// How often something is run on `mesh` at `scale`.
+    /// Returns how often a job is run on `mesh` at `scale`.
     pub(super) fn repetitions(&self, mesh: &str, scale: Scale) -> u32 {
         match scale {
             Scale::Full => self.fewer.get(mesh).copied().unwrap_or(self.repetitions.full),
@@ -199,33 +221,17 @@ impl RunSpec {
         }
     }
 
-    /// After how many augmenting paths a run on `mesh` at `scale` stops.
+    /// Returns the augmenting paths after which a run on `mesh` at `scale` stops.
     pub(super) fn stop_after_paths(&self, mesh: &str, scale: Scale) -> Option<u64> {
         self.stop_after_paths.get(mesh).copied().filter(|_| scale == Scale::Full)
     }
 }
 
-/// The algorithm that `name` means, `lrs few-flips` for example.
-fn conversion(name: &str) -> Result<Algorithm, String> {
-    match name.split_once(' ') {
-        Some(("lrs", variant)) => Ok(Algorithm::Lrs(find(Expansion::ALL, Expansion::id, variant)?)),
-        _ => find(Algorithm::ALL, Algorithm::id, name),
-    }
-}
-
-fn find<T: Copy, const N: usize>(
-    all: [T; N],
-    id: fn(T) -> &'static str,
-    name: &str,
-) -> Result<T, String> {
-    all.into_iter()
-        .find(|&one| id(one) == name)
-        .ok_or_else(|| format!("{name:?} is none of {}", all.map(id).join(", ")))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use triquad::augmentation::Augmentation;
+    use triquad::pairing::{Algorithm, Expansion};
 
     const TEXT: &str = r#"
         name = "a"
@@ -268,7 +274,7 @@ mod tests {
     fn what_is_wrong_is_named_with_its_line() {
         let problem = |from: &str, to: &str| {
             assert!(TEXT.contains(from));
-            Experiment::parse(&TEXT.replace(from, to)).unwrap_err()
+            Experiment::parse(&TEXT.replace(from, to)).unwrap_err().to_string()
         };
         assert!(problem("seed = 1", "seed = -1").starts_with("line 5: "));
         assert!(problem("seed", "sed").contains("unknown field `sed`"));

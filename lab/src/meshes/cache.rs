@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use super::paper::{self, PaperMesh, Scale};
-use super::{BoxShape, GenerateError, Recipe, into_list, simplified};
+use super::recipe::{GenerateError, Recipe, into_list, simplified};
 use triquad::mesh::{Mesh, MeshError, Output};
+use triquad_generators::box_mesh::BoxShape;
 
 /// Increased whenever a recipe's bytes change: what was kept before is then no longer found.
 const EDITION: u32 = 2;
@@ -18,12 +19,12 @@ pub struct Cache {
 }
 
 impl Cache {
-    /// The cache in `folder`, which is made when it is needed.
+    /// Returns the cache in `folder`, which is made when it is needed.
     pub fn new(folder: impl Into<PathBuf>) -> Self {
         Self { folder: folder.into() }
     }
 
-    /// The mesh of `recipe`, read if it is there, else made and kept.
+    /// Returns the mesh of `recipe`, read if it is there, else made and kept.
     ///
     /// Of the papers' hierarchies, every mesh passed on the way to a smaller one is kept too.
     ///
@@ -49,7 +50,7 @@ impl Cache {
         Ok(list)
     }
 
-    /// The file in which the mesh of `recipe` is kept.
+    /// Returns the file in which the mesh of `recipe` is kept.
     pub fn file(&self, recipe: &Recipe) -> PathBuf {
         self.folder.join(format!("{}-e{EDITION}.ply", recipe.key()))
     }
@@ -74,7 +75,7 @@ impl Cache {
     }
 }
 
-/// The papers' meshes simplified from a box that have more than `vertices`, descending.
+/// Returns the sizes above `vertices` of the papers' meshes from a box, descending.
 fn on_the_way(of: BoxShape, vertices: u32) -> Vec<u32> {
     let passed = |mesh: PaperMesh| match mesh.recipe {
         Recipe::SimplifiedBox { of: other, vertices } if other == of => Some(vertices),
@@ -113,7 +114,7 @@ mod tests {
         assert_eq!(smallest, made(200));
         for stop in [500, 300] {
             let kept = cache.file(&Recipe::SimplifiedBox { of, vertices: stop });
-            assert_eq!(mesh::read(&kept).unwrap(), made(stop));
+            assert_eq!(Mesh::read(&kept).unwrap(), made(stop));
         }
     }
 }

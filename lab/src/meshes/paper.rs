@@ -1,7 +1,8 @@
-//! The meshes of the papers' tables by name: Tables 4.1 and 4.2 of the comparison paper, Tables 2 to
-//! 5 of the paper on irreducible triangulations, whose boxes carry the prefix `ir-`.
+//! The meshes of the papers' tables by name: Tables 4.1 and 4.2 of the comparison paper, Tables 2
+//! to 5 of the paper on irreducible triangulations, whose boxes carry the prefix `ir-`.
 
-use super::{BoxShape, Recipe};
+use super::recipe::{MeshKind, Recipe};
+use triquad_generators::box_mesh::BoxShape;
 
 /// A mesh of the papers, and how its like is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +46,7 @@ impl Scale {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Full, Self::Small, Self::Demo];
 
-    /// The name on the command line and in records.
+    /// Returns the name on the command line and in records.
     pub fn id(self) -> &'static str {
         match self {
             Self::Full => "full",
@@ -144,14 +145,14 @@ pub const ALL: [PaperMesh; 49] = [
     a_box("ir-D9", with_holes(2_097_170, 10)),
 ];
 
-/// The mesh of that name.
+/// Returns the mesh of that name.
 pub fn named(name: &str) -> Option<PaperMesh> {
     ALL.into_iter().find(|mesh| mesh.name == name)
 }
 
 impl PaperMesh {
-    /// The mesh at `scale`: vertices, shafts and genus divided alike, a genus above 0 not to 0, a scan's
-    /// vertices not below 200.
+    /// Returns the mesh at `scale`: vertices, shafts and genus divided alike, a genus above 0 not
+    /// to 0, a scan's vertices not below 200.
     pub fn at(mut self, scale: Scale) -> Self {
         let divisor = scale.divisor();
         let small_box = |shape: BoxShape| {
@@ -175,21 +176,21 @@ impl PaperMesh {
         self
     }
 
-    /// What is told of the mesh as kind in records.
-    pub fn kind(&self) -> &'static str {
+    /// Returns the kind of the mesh in records.
+    pub fn kind(&self) -> MeshKind {
         match self.recipe {
-            Recipe::Box(_) => "generated",
-            Recipe::SimplifiedBox { .. } => "simplified",
-            Recipe::StandIn { .. } => "stand-in",
+            Recipe::Box(_) => MeshKind::Generated,
+            Recipe::SimplifiedBox { .. } => MeshKind::Simplified,
+            Recipe::StandIn { .. } => MeshKind::StandIn,
         }
     }
 
-    /// Number of edges by Euler's formula, 3 (vertices - 2 + 2 genus).
+    /// Returns the number of edges by Euler's formula, 3 (vertices - 2 + 2 genus).
     pub fn edges(&self) -> u32 {
         3 * (self.vertices + 2 * self.genus - 2)
     }
 
-    /// Number of triangles by Euler's formula, 2 (vertices - 2 + 2 genus).
+    /// Returns the number of triangles by Euler's formula, 2 (vertices - 2 + 2 genus).
     pub fn triangles(&self) -> u32 {
         2 * (self.vertices + 2 * self.genus - 2)
     }

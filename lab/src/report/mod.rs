@@ -1,25 +1,26 @@
-//! What is shown of results: tables, the comparison with the papers, plots, pictures of meshes, and
-//! one page with all of it.
+//! The report on a folder of results: tables, verdicts on the papers' claims, plots, and one page
+//! with all of it.
 //!
-//! Everything is made of records and of the papers' printed values, nothing is measured here.
-//! Pictures know nothing of how a mesh was made: they are drawn from plain
-//! [`Mesh`](triquad::Mesh)s.
+//! Everything is made of records, of the pictures beside them and of the papers' printed values.
+//! No mesh is read or made here and no algorithm runs. Data flows from records through the summary
+//! to tables, verdicts and plots, and from these to the page.
 
 pub mod claims;
 pub mod compare;
-pub mod figures;
-pub mod fit;
-pub mod gallery;
-pub mod number;
+pub mod defects;
+pub mod files;
+mod notes;
+mod number;
 pub mod page;
-pub mod paper;
 pub mod plots;
-pub mod statistics;
-pub mod summary;
+mod power_law;
+mod statistics;
+mod summary;
 pub mod tables;
-pub mod write;
 
 pub use compare::{Comparison, Judged, Verdict};
+pub use files::{Extent, Report, ReportError, write};
+pub use notes::Note;
 pub use statistics::Statistics;
 pub use summary::{Cell, Summary};
 pub use tables::ReportTable;

@@ -1,42 +1,34 @@
 //! How numbers are written in tables: the same digits on every machine.
 
-/// Seconds, to the digits that the papers print.
-pub fn seconds(value: f64) -> String {
-    format!("{value:.8}")
-}
-
-/// Per cent, to the digits that the papers print.
-pub fn percent(value: f64) -> String {
-    format!("{value:.4}")
-}
-
-/// A mean of counts, to the digit that the papers print.
-pub fn mean_count(value: f64) -> String {
-    format!("{value:.1}")
-}
-
-/// A number whose size is not known beforehand, such as a ratio: four significant digits, with an
-/// exponent where it is below 10^-4 or 10^7 and more.
+/// Writes a number of unknown size in four significant digits, with an exponent where it is below
+/// 10^-4 or 10^7 and more.
 pub fn significant(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
     let scientific = format!("{value:.3e}");
-    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
-    match exponent {
-        Some(exponent @ -4..=6) => {
-            format!("{value:.*}", usize::try_from(3 - exponent).unwrap_or(0))
-        }
+    let (_, exponent) = scientific.split_once('e').expect("scientific notation has an exponent");
+    match exponent.parse() {
+        Ok(exponent @ -4..=6) => format!("{value:.*}", usize::try_from(3 - exponent).unwrap_or(0)),
         _ => scientific,
     }
 }
 
-/// Writes what there is, and nothing for what there is not.
-pub fn or_empty<T>(value: Option<T>, write: impl Fn(T) -> String) -> String {
-    value.map(write).unwrap_or_default()
+/// Puts commas between thousands.
+pub fn grouped(number: &str) -> String {
+    let (whole, rest) = number.split_at(number.find(['.', 'e']).unwrap_or(number.len()));
+    let digits = whole.trim_start_matches('-');
+    let mut grouped = String::from(&whole[..whole.len() - digits.len()]);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            grouped.push(',');
+        }
+        grouped.push(digit);
+    }
+    grouped + rest
 }
 
-/// The quotient, where both numbers are known and the second is not 0.
+/// Returns the quotient, where both numbers are known and the second is not 0.
 pub fn quotient(top: Option<f64>, bottom: Option<f64>) -> Option<f64> {
     match (top, bottom) {
         (Some(top), Some(bottom)) if bottom != 0.0 => Some(top / bottom),

@@ -4,9 +4,9 @@ use statrs::statistics::{Data, Distribution, Max, Min, OrderStatistics};
 
 /// A sample, described.
 ///
-/// Quartiles are the approximately median-unbiased estimates of Hyndman and Fan (*Sample quantiles in
-/// statistical packages*, 1996, type 8): between the order statistics around (n + 1/3) p + 1/3. A
-/// single value is all of its own quantiles.
+/// Quartiles are the approximately median-unbiased estimates of Hyndman and Fan (*Sample quantiles
+/// in statistical packages*, 1996, type 8): between the order statistics around (n + 1/3) p + 1/3.
+/// A single value is all of its own quantiles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Statistics {
     /// Number of values.
@@ -29,7 +29,7 @@ impl Statistics {
     /// Describes `values`; `None` if there are none. O(n) on average.
     ///
     /// The mean of equal values is that value, to the last bit.
-    pub fn of(values: &[f64]) -> Option<Self> {
+    pub fn from_values(values: &[f64]) -> Option<Self> {
         if values.is_empty() {
             return None;
         }
@@ -55,8 +55,8 @@ mod tests {
 
     #[test]
     fn nothing_has_no_statistics_and_one_value_is_all_of_them() {
-        assert_eq!(Statistics::of(&[]), None);
-        let one = Statistics::of(&[0.1]).unwrap();
+        assert_eq!(Statistics::from_values(&[]), None);
+        let one = Statistics::from_values(&[0.1]).unwrap();
         let Statistics { n, mean, median, lower_quartile, upper_quartile, minimum, maximum } = one;
         assert_eq!(n, 1);
         for value in [mean, median, lower_quartile, upper_quartile, minimum, maximum] {
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn quartiles_are_those_of_type_8() {
         let values = [10.0, 2.0, 9.0, 4.0, 5.0, 6.0, 7.0, 8.0, 3.0, 1.0];
-        let found = Statistics::of(&values).unwrap();
+        let found = Statistics::from_values(&values).unwrap();
         assert!((found.lower_quartile - (2.0 + 0.75 + 1.0 / 6.0)).abs() < 1e-12, "{found:?}");
         assert!((found.upper_quartile - (8.0 + 0.25 - 1.0 / 6.0)).abs() < 1e-12, "{found:?}");
         assert_eq!((found.n, found.minimum, found.maximum), (10, 1.0, 10.0));
@@ -77,6 +77,6 @@ mod tests {
 
     #[test]
     fn the_mean_of_equal_values_is_that_value() {
-        assert_eq!(Statistics::of(&[0.1; 10]).unwrap().mean, 0.1);
+        assert_eq!(Statistics::from_values(&[0.1; 10]).unwrap().mean, 0.1);
     }
 }

@@ -5,8 +5,10 @@ use std::slice;
 
 use crate::records::of_the_papers;
 use triquad_lab::experiment::{Outcome, Results, RunRecord};
-use triquad_lab::meshes::paper;
-use triquad_lab::report::claims::{Claim, Kind};
+use triquad_lab::meshes::MeshKind;
+use triquad_lab::meshes::paper::{self, Scale};
+use triquad_lab::paper::Paper;
+use triquad_lab::report::claims::{Claim, ClaimKind};
 use triquad_lab::report::{Judged, Summary, Verdict, claims, compare};
 
 /// What the papers print satisfies exactly the claims that are not said to be inconsistent.
@@ -23,13 +25,13 @@ fn claims_hold_of_the_papers_own_numbers_unless_they_are_said_to_be_inconsistent
 }
 
 fn judged(results: &Results) -> Vec<Judged> {
-    compare::judge(&Summary::of(results)).verdicts
+    compare::judge(&Summary::new(results)).verdicts
 }
 
 /// The verdict on one claim, with its detail.
-fn verdict<'a>(verdicts: &'a [Judged], id: &str) -> (Verdict, &'a str) {
+fn verdict(verdicts: &[Judged], id: &str) -> (Verdict, String) {
     let found = verdicts.iter().find(|judged| judged.id == id).expect(id);
-    (found.verdict, &found.detail)
+    (found.verdict, found.detail())
 }
 
 #[test]
@@ -37,18 +39,19 @@ fn there_are_claims_of_both_papers_and_each_has_a_name_of_its_own() {
     let claims = claims::all();
     let ids: BTreeSet<&str> = claims.iter().map(|claim| claim.id.as_str()).collect();
     assert_eq!(ids.len(), claims.len());
-    for paper in ["comparison", "irreducible"] {
+    for paper in [Paper::Comparison, Paper::Irreducible] {
         let of_paper = claims.iter().filter(|claim| claim.experiment == paper);
-        assert!(of_paper.clone().count() >= 30, "{paper}");
-        assert!(of_paper.clone().all(|claim| claim.source.starts_with(paper)));
+        assert!(of_paper.clone().count() >= 30, "{paper:?}");
+        assert!(of_paper.clone().all(|claim| claim.source.starts_with(paper.experiment())));
     }
     for claim in &claims {
         let names = claim.mesh_names();
         let known = |name: &String| paper::named(name).is_some();
         assert!(!names.is_empty() && names.iter().all(known), "{}: {names:?}", claim.id);
-        let is_about_times = claim.kind != Kind::MachineFree && claim.kind != Kind::Exponent;
+        let is_about_times =
+            claim.kind != ClaimKind::MachineFree && claim.kind != ClaimKind::Exponent;
         assert!(!is_about_times || claim.is_about_times(), "{}", claim.id);
-        assert!(claim.kind != Kind::MachineFree || !claim.is_about_times(), "{}", claim.id);
+        assert!(claim.kind != ClaimKind::MachineFree || !claim.is_about_times(), "{}", claim.id);
     }
 }
 
@@ -58,12 +61,12 @@ fn records_as_printed_reproduce_every_claim_that_is_consistent() {
     for (judged, claim) in verdicts.iter().zip(claims::all()) {
         let expected = match (&claim.inconsistent, claim.kind) {
             (Some(_), _) => Verdict::PaperInconsistent,
-            (None, Kind::Seconds) => Verdict::NotComparable,
+            (None, ClaimKind::Seconds) => Verdict::NotComparable,
             (None, _) => Verdict::Reproduced,
         };
         assert_eq!(judged.verdict, expected, "{judged:#?}");
         if claim.inconsistent.is_some() {
-            assert!(judged.detail.contains("it does not hold"), "{}", judged.detail);
+            assert!(judged.detail().contains("it does not hold"), "{}", judged.detail());
         }
         assert!(!judged.ours.is_empty());
     }
@@ -71,13 +74,13 @@ fn records_as_printed_reproduce_every_claim_that_is_consistent() {
     assert!(found.ours.contains("ours × 1.000: botijo 0.7217 (printed 0.7217)"), "{}", found.ours);
 }
 
-/// Numbers of one algorithm a thousand times larger or smaller, on all meshes, on one or on every other,
-/// refute any claim about it.
+/// Numbers of one algorithm a thousand times larger or smaller, on all meshes, on one or on every
+/// other, refute any claim about it.
 #[test]
 fn every_claim_can_fail() {
     let as_printed = of_the_papers();
     for claim in claims::all() {
-        if claim.inconsistent.is_some() || claim.kind == Kind::Seconds {
+        if claim.inconsistent.is_some() || claim.kind == ClaimKind::Seconds {
             continue;
         }
         let meshes = claim.mesh_names();
@@ -87,7 +90,7 @@ fn every_claim_can_fail() {
             [1000.0, 0.001].into_iter().any(|factor| {
                 let results = changed(&as_printed, &claim, meshes, factor);
                 let verdicts =
-                    compare::judge_claims(slice::from_ref(&claim), &Summary::of(&results));
+                    compare::judge_claims(slice::from_ref(&claim), &Summary::new(&results));
                 verdicts.verdicts[0].verdict == Verdict::Differs
             })
         });
@@ -100,7 +103,8 @@ fn changed(results: &Results, claim: &Claim, meshes: &[String], factor: f64) -> 
     let mut results = results.clone();
     let first = &claim.value.factors[0];
     let concerned = results.records.iter_mut().filter(|run| {
-        meshes.contains(&run.mesh) && first.algorithm.as_ref().is_none_or(|a| *a == run.algorithm)
+        meshes.contains(&run.id.mesh.name)
+            && first.job.is_none_or(|job| job.algorithm() == run.id.job.algorithm())
     });
     for run in concerned {
         multiply(run, first.number.name, factor);
@@ -115,22 +119,22 @@ fn multiply(run: &mut RunRecord, name: &str, factor: f64) {
     };
     let stretch = |time: &mut Option<f64>| *time = time.map(|time| time * factor);
     match name {
-        "triangles" => scale(&mut run.triangles),
-        "unpaired_triangles" => scale(&mut run.unpaired_triangles),
-        "paired_percent" => stretch(&mut run.paired_percent),
-        "edge_flips" => scale(&mut run.edge_flips),
-        "augmenting_path_length_mean" => stretch(&mut run.augmenting_path_length_mean),
-        "augmentation_triangles_visited" => scale(&mut run.augmentation_triangles_visited),
-        "link_condition_tests" => scale(&mut run.link_condition_tests),
-        "edges_tested_more_than_once" => scale(&mut run.edges_tested_more_than_once),
-        "result_vertices" => scale(&mut run.result_vertices),
-        "pairing_seconds" => stretch(&mut run.pairing_seconds),
-        "augmentation_seconds" => stretch(&mut run.augmentation_seconds),
+        "triangles" => scale(&mut run.measured.triangles),
+        "unpaired_triangles" => scale(&mut run.measured.unpaired_triangles),
+        "paired_percent" => stretch(&mut run.measured.paired_percent),
+        "edge_flips" => scale(&mut run.measured.edge_flips),
+        "augmenting_path_length_mean" => stretch(&mut run.measured.augmenting_path_length_mean),
+        "augmentation_triangles_visited" => scale(&mut run.measured.augmentation_triangles_visited),
+        "link_condition_tests" => scale(&mut run.measured.link_condition_tests),
+        "edges_tested_more_than_once" => scale(&mut run.measured.edges_tested_more_than_once),
+        "result_vertices" => scale(&mut run.measured.result_vertices),
+        "pairing_seconds" => stretch(&mut run.measured.pairing_seconds),
+        "augmentation_seconds" => stretch(&mut run.measured.augmentation_seconds),
         "total_seconds" => {
-            stretch(&mut run.pairing_seconds);
-            stretch(&mut run.augmentation_seconds);
+            stretch(&mut run.measured.pairing_seconds);
+            stretch(&mut run.measured.augmentation_seconds);
         }
-        "seconds" => stretch(&mut run.seconds),
+        "seconds" => stretch(&mut run.measured.seconds),
         other => panic!("no claim begins with {other}"),
     }
 }
@@ -138,10 +142,14 @@ fn multiply(run: &mut RunRecord, name: &str, factor: f64) {
 #[test]
 fn what_cannot_be_judged_says_why() {
     let mut results = of_the_papers();
-    for run in results.records.iter_mut().filter(|run| run.mesh == "eros") {
-        run.mesh_kind = "stand-in".into();
+    for run in results.records.iter_mut().filter(|run| run.id.mesh.name == "eros") {
+        run.mesh_kind = MeshKind::StandIn;
     }
-    for run in results.records.iter_mut().filter(|run| run.mesh == "A1" && run.algorithm == "ps") {
+    for run in results
+        .records
+        .iter_mut()
+        .filter(|run| run.id.mesh.name == "A1" && run.id.job.algorithm() == "ps")
+    {
         run.outcome = Outcome::Timeout;
     }
     let verdicts = judged(&results);
@@ -168,8 +176,8 @@ fn what_cannot_be_judged_says_why() {
     assert!(detail.contains("beside others"), "{detail}");
     assert_eq!(verdict(&verdicts, "lrs-genus-0").0, Verdict::Reproduced);
 
-    results.records.iter_mut().for_each(|run| run.scale = "demo".into());
-    results.planned.iter_mut().for_each(|cell| cell.scale = "demo".into());
+    results.records.iter_mut().for_each(|run| run.id.mesh.scale = Scale::Demo);
+    results.planned.iter_mut().for_each(|cell| cell.id.mesh.scale = Scale::Demo);
     let verdicts = judged(&results);
     let (found, detail) = verdict(&verdicts, "lrs-66-times");
     assert_eq!(found, Verdict::NotComparable);
@@ -191,9 +199,9 @@ fn what_cannot_be_judged_says_why() {
 #[test]
 fn a_claim_about_every_mesh_is_refuted_by_one() {
     let mut results = of_the_papers();
-    results.records.retain(|run| run.mesh != "gargoyle");
-    for run in results.records.iter_mut().filter(|run| run.mesh == "eros") {
-        run.unpaired_triangles = Some(6);
+    results.records.retain(|run| run.id.mesh.name != "gargoyle");
+    for run in results.records.iter_mut().filter(|run| run.id.mesh.name == "eros") {
+        run.measured.unpaired_triangles = Some(6);
     }
     let verdicts = judged(&results);
     let (found, detail) = verdict(&verdicts, "lrs-genus-0");
@@ -209,13 +217,13 @@ fn a_claim_about_every_mesh_is_refuted_by_one() {
 #[test]
 fn ratios_have_intervals_where_runs_were_repeated() {
     let mut results = of_the_papers();
-    for run in results.records.iter_mut().filter(|run| run.algorithm == "ps") {
+    for run in results.records.iter_mut().filter(|run| run.id.job.algorithm() == "ps") {
         let noise = 1.0 + 0.01 * f64::from(run.repetition);
-        run.pairing_seconds = run.pairing_seconds.map(|time| time * noise);
+        run.measured.pairing_seconds = run.measured.pairing_seconds.map(|time| time * noise);
     }
     let verdicts = judged(&results);
     let (_, detail) = verdict(&verdicts, "sg-pairing-faster");
-    let start = detail.find("eros (real) 64.08 [").expect(detail) + "eros (real) 64.08 [".len();
+    let start = detail.find("eros (real) 64.08 [").expect(&detail) + "eros (real) 64.08 [".len();
     let interval: Vec<f64> = detail[start..]
         .split(']')
         .next()
@@ -260,13 +268,13 @@ fn claims_that_no_one_can_make_are_refused() {
 fn what_lies_within_the_noise_is_not_decided() {
     let with_eros = |unpaired: [u64; 2]| {
         let mut results = of_the_papers();
-        let eros = results.records.iter_mut().filter(|run| run.mesh == "eros");
-        for run in eros.filter(|run| run.algorithm == "sg") {
-            run.unpaired_triangles = Some(unpaired[run.repetition as usize % 2]);
+        let eros = results.records.iter_mut().filter(|run| run.id.mesh.name == "eros");
+        for run in eros.filter(|run| run.id.job.algorithm() == "sg") {
+            run.measured.unpaired_triangles = Some(unpaired[run.repetition as usize % 2]);
         }
         let verdicts = judged(&results);
         let (verdict, detail) = verdict(&verdicts, "sg-share");
-        (verdict, detail.to_owned())
+        (verdict, detail)
     };
     // 0.12 of the triangles are 47,334.7.
     let (verdict, detail) = with_eros([40_000, 54_000]);
@@ -279,8 +287,8 @@ fn what_lies_within_the_noise_is_not_decided() {
 #[test]
 fn times_too_short_to_be_measured_are_not_compared() {
     let mut results = of_the_papers();
-    for run in results.records.iter_mut().filter(|run| run.mesh == "botijo") {
-        run.pairing_seconds = run.pairing_seconds.map(|seconds| seconds / 100.0);
+    for run in results.records.iter_mut().filter(|run| run.id.mesh.name == "botijo") {
+        run.measured.pairing_seconds = run.measured.pairing_seconds.map(|seconds| seconds / 100.0);
     }
     let verdicts = judged(&results);
     let (found, detail) = verdict(&verdicts, "sg-pairing-faster");

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use triquad_generators::testing::{damaged, draws};
 use triquad_lab::experiment::Results;
-use triquad_lab::experiment::results::Damaged;
+use triquad_lab::experiment::results::DamagedRow;
 use triquad_lab::experiment::spec::Experiment;
 
 /// Damaged files of each kind.
@@ -48,7 +48,7 @@ fn damaged_experiment_files_are_refused_in_one_line_or_read() {
     assert!((FILES / 10..FILES).contains(&refused), "{refused} of {FILES} were refused");
 }
 
-fn assert_named(row: &Damaged, lines: usize) {
+fn assert_named(row: &DamagedRow, lines: usize) {
     assert!((2..=lines as u64 + 1).contains(&row.line), "{row:?}");
     assert!(!row.problem.is_empty() && !row.text.contains('\n'), "{row:?}");
 }

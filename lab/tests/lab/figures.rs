@@ -4,9 +4,9 @@ use std::collections::HashSet;
 
 use triquad::mesh::{Faces, Mesh};
 use triquad::quadrangulation::quality::scaled_jacobian;
-use triquad::{Algorithm, Settings, Triangulation, convert};
+use triquad::{Algorithm, Converter};
 use triquad_generators::grids;
-use triquad_lab::report::figures::{POOR, QuadScene, View, box_picture};
+use triquad_lab::pictures::{POOR, QuadScene, View, box_picture};
 
 fn torus() -> Mesh {
     let surface = grids::torus(12, 9);
@@ -14,9 +14,7 @@ fn torus() -> Mesh {
 }
 
 fn quads_of(input: &Mesh, algorithm: Algorithm) -> Mesh {
-    let triangulation = Triangulation::build(input).unwrap();
-    let faces = convert(&triangulation, &Settings { algorithm, ..Settings::default() }).faces();
-    Mesh { positions: input.positions().clone(), faces, ..Mesh::default() }
+    Converter::new().algorithm(algorithm).run(input).unwrap().into_mesh()
 }
 
 fn sides(mesh: &Mesh) -> HashSet<[u32; 2]> {
@@ -53,13 +51,11 @@ fn counts_are_those_of_a_plain_search() {
 #[test]
 fn flips_are_blue_and_darts_are_orange_and_nothing_else_is() {
     let positions = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 4.0, 0.0]];
-    let quads = Mesh { positions, faces: Faces::uniform(4, vec![0, 1, 2, 3]), ..Mesh::default() };
-    let with_sides = Mesh { faces: Faces::uniform(3, vec![0, 1, 2, 0, 2, 3]), ..quads.clone() };
-    let without = Mesh { faces: Faces::uniform(3, vec![0, 1, 3]), ..quads.clone() };
-    let square = Mesh {
-        positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
-        ..quads.clone()
-    };
+    let quads = Mesh::new(positions, Faces::uniform(4, vec![0, 1, 2, 3]));
+    let with_sides = quads.clone().with_faces(Faces::uniform(3, vec![0, 1, 2, 0, 2, 3]));
+    let without = quads.clone().with_faces(Faces::uniform(3, vec![0, 1, 3]));
+    let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let square = Mesh::new(corners.clone(), quads.faces().clone());
     let colours = |quads: &Mesh, input: &Mesh| {
         let image = QuadScene::new(quads, input).draw(View::Whole).unwrap();
         let count = |hue: fn(&&[u8; 4]) -> bool| image.pixels().iter().filter(hue).count();
@@ -70,10 +66,7 @@ fn flips_are_blue_and_darts_are_orange_and_nothing_else_is() {
     };
     assert_eq!(colours(&quads, &with_sides), (false, true));
     assert_eq!(colours(&quads, &without), (true, true));
-    assert_eq!(
-        colours(&square, &Mesh { positions: square.positions.clone(), ..with_sides }),
-        (false, false)
-    );
+    assert_eq!(colours(&square, &Mesh::new(corners, with_sides.faces().clone())), (false, false));
 }
 
 #[test]

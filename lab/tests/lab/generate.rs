@@ -3,7 +3,7 @@
 use triquad::Mesh;
 use triquad::random::Random;
 use triquad::simplify::Simplifier;
-use triquad::{Algorithm, Settings, Triangulation, convert};
+use triquad::{Algorithm, Converter, Triangulation};
 use triquad_lab::meshes::paper::{self, PaperMesh};
 use triquad_lab::meshes::{BoxShape, Cache, GenerateError, Recipe};
 
@@ -75,7 +75,7 @@ fn stand_ins_are_irregular() {
 #[test]
 fn what_pulli_segal_leaves_grows_with_irregularity() {
     let list = BoxShape { cavities: 384, holes: 0, vertices: 209_496 }.surface().unwrap();
-    let list = Mesh::from_triangles(list.positions(), list.triangles);
+    let list = Mesh::from_triangles(list.positions, list.triangles);
     let regular = built(&list);
     let mut simplifier = Simplifier::new(regular.clone(), list.positions());
     let [a, b] = [99_040, 17_217].map(|vertices| {
@@ -189,9 +189,9 @@ fn the_boxes_have_the_printed_counts_and_convert() {
     for name in ["A1", "B1"] {
         let triangulation = built(&paper::named(name).unwrap().recipe.make().unwrap());
         for algorithm in [Algorithm::PulliSegal, Algorithm::EagerRescue] {
-            let settings = Settings { algorithm, ..Settings::default() };
-            let quads = convert(&triangulation, &settings).len();
-            assert_eq!(2 * quads, triangulation.triangle_count());
+            let mut converter = Converter::new().algorithm(algorithm);
+            let quads = converter.quadrangulate(&triangulation).unwrap().quadrangulation;
+            assert_eq!(2 * quads.len(), triangulation.triangle_count());
         }
     }
 }

@@ -4,11 +4,15 @@ use std::collections::HashSet;
 use std::process::Command;
 
 use roxmltree::{Document, Node, ParsingOptions};
-use triquad_lab::experiment::results::Damaged;
+use triquad::augmentation::Augmentation;
+use triquad_lab::experiment::results::DamagedRow;
 use triquad_lab::experiment::{Outcome, Results, RunRecord};
-use triquad_lab::report::gallery::Shown;
-use triquad_lab::report::page::{self, Parts, Pictured};
-use triquad_lab::report::paper::Table;
+use triquad_lab::meshes::MeshKind;
+use triquad_lab::meshes::paper::Scale;
+use triquad_lab::paper::Table;
+use triquad_lab::pictures::{PictureRecord, Subject};
+use triquad_lab::report::defects::Defect;
+use triquad_lab::report::page::{self, Parts, PictureFile};
 use triquad_lab::report::plots::{self, Plot};
 use triquad_lab::report::{Summary, compare, tables};
 
@@ -18,11 +22,11 @@ fn page_of(results: &Results) -> String {
 }
 
 fn page_with_plots(results: &Results) -> String {
-    page_with(results, &plots::all(&Summary::of(results)))
+    page_with(results, &plots::all(&Summary::new(results)))
 }
 
 fn page_with(results: &Results, plots: &[Plot]) -> String {
-    let summary = Summary::of(results);
+    let summary = Summary::new(results);
     let tables = tables::all(&summary);
     page::render(&Parts {
         results,
@@ -31,36 +35,38 @@ fn page_with(results: &Results, plots: &[Plot]) -> String {
         comparison: &compare::judge(&summary),
         plots,
         pictures: &pictures(),
+        defects: &Defect::all(results, &summary),
     })
 }
 
 /// A picture of each subject.
-fn pictures() -> Vec<Pictured> {
+fn pictures() -> Vec<PictureFile> {
     let png = include_bytes!("../../../docs/box.png").to_vec();
-    let of = |subject: &str, algorithm: &str| {
-        let shown = Shown {
-            subject: subject.into(),
+    let of = |subject, algorithm: &str| {
+        let record = PictureRecord {
+            subject,
             algorithm: algorithm.into(),
-            view: "whole".into(),
             mesh: "botijo".into(),
             flipped_edges: 1234,
-            ..Shown::default()
+            ..PictureRecord::default()
         };
-        Pictured { shown, png: png.clone() }
+        PictureFile { record, png: png.clone() }
     };
-    vec![of("box", ""), of("quads", "lrs"), of("quads", "lrs few-flips")]
+    vec![of(Subject::Box, ""), of(Subject::Quads, "lrs"), of(Subject::Quads, "lrs few-flips")]
 }
 
-/// The records of the papers' tables, with `local` beside `tarjan`: each of these takes LRS twice as
-/// long as PS.
+/// The records of the papers' tables, with `local` beside `tarjan`: each of these takes LRS twice
+/// as long as PS.
 fn both_augmentations() -> Results {
     let mut results = crate::records::of_the_papers();
-    let conversions = results.records.iter().filter(|run| run.augmentation.is_some());
-    let local = |run: &RunRecord| RunRecord {
-        augmentation: Some("local".into()),
-        pairing_seconds: Some(if run.algorithm == "lrs" { 2.0 } else { 1.0 }),
-        augmentation_seconds: Some(0.0),
-        ..run.clone()
+    let conversions = results.records.iter().filter(|run| run.id.mesh.experiment == "comparison");
+    let local = |run: &RunRecord| {
+        let mut run = run.clone();
+        let is_lrs = run.id.job.algorithm() == "lrs";
+        run.id.job = run.id.job.with_augmentation(Augmentation::Local);
+        run.measured.pairing_seconds = Some(if is_lrs { 2.0 } else { 1.0 });
+        run.measured.augmentation_seconds = Some(0.0);
+        run
     };
     let local: Vec<RunRecord> = conversions.map(local).collect();
     results.records.extend(local);
@@ -106,7 +112,7 @@ fn check(page: &str) {
     }
     assert!(elements(&document, "th").all(|cell| cell.attribute("scope").is_some()));
     assert!(elements(&document, "img").all(|image| image.attribute("alt") != Some("")));
-    let tables = Table::ALL.map(|table| table.file().trim_end_matches(".csv").replace('_', "-"));
+    let tables = Table::ALL.map(|table| table.file.trim_end_matches(".csv").replace('_', "-"));
     let figures = ["5-11", "5-12", "5-13", "5-14", "14", "15", "16", "17", "18"];
     for id in tables.into_iter().chain(figures.map(|number| format!("figure-{number}"))) {
         assert!(known.contains(id.as_str()), "{id} cannot be found");
@@ -124,7 +130,7 @@ fn a_full_page_is_well_formed_small_and_the_same_again() {
     for run in &results.records {
         assert!(page.contains(&run.command), "{}", run.command);
     }
-    let judged = compare::judge(&Summary::of(&results)).verdicts;
+    let judged = compare::judge(&Summary::new(&results)).verdicts;
     assert!(judged.iter().all(|claim| page.contains(&format!("id=\"claim-{}\"", claim.id))));
     assert!(page.contains("1234 of"), "flipped edges are counted");
 }
@@ -138,7 +144,7 @@ fn whether_lrs_still_beats_ps_is_answered_from_the_records() {
     assert!(page.contains("LRS is faster on 7 of 16 meshes; with ours it is faster on 0 of these"));
     results.records.iter_mut().for_each(|run| run.parallel_jobs = 2);
     assert!(page_of(&results).contains("runs went on side by side, so that their times"));
-    results.records.retain(|run| run.augmentation.as_deref() == Some("tarjan"));
+    results.records.retain(|run| run.id.job.names().augmentation == Some("tarjan"));
     results.records.iter_mut().for_each(|run| run.parallel_jobs = 1);
     assert!(page_of(&results).contains("no mesh has PS and LRS under both augmentations"));
 }
@@ -155,16 +161,16 @@ fn no_records_give_a_page_that_says_so() {
 #[test]
 fn what_is_missing_damaged_or_failed_is_listed_and_escaped() {
     let mut results = crate::records::of_the_papers();
-    let lost = results.records.iter().position(|run| run.algorithm == "ps").unwrap();
+    let lost = results.records.iter().position(|run| run.id.job.algorithm() == "ps").unwrap();
     results.records.remove(lost);
-    let failed = results.records.iter_mut().find(|run| run.algorithm == "ds").unwrap();
+    let failed = results.records.iter_mut().find(|run| run.id.job.algorithm() == "ds").unwrap();
     failed.outcome = Outcome::Timeout;
     failed.reason = "more than <1200> seconds".into();
     let problem = "a <script> & more".into();
-    results.damaged.push(Damaged { line: 77, text: "x".into(), problem });
+    results.damaged.push(DamagedRow { line: 77, text: "x".into(), problem });
     let page = page_of(&results);
     check(&page);
-    assert!(page.contains("PS on botijo: ok 9, missing 1"));
+    assert!(page.contains("PS on botijo: 1 planned runs have no row"));
     assert!(page.contains("timeout 1 (more than &lt;1200&gt; seconds)"));
     assert!(page.contains("line 77: damaged and left out: a &lt;script&gt; &amp; more"));
     assert!(page.contains("nothing about the machine bench"));
@@ -174,11 +180,11 @@ fn what_is_missing_damaged_or_failed_is_listed_and_escaped() {
 fn stand_ins_and_smaller_scales_are_marked() {
     let mut results = crate::records::of_the_papers();
     for run in &mut results.records {
-        run.mesh_kind = "stand-in".into();
-        run.scale = "demo".into();
+        run.mesh_kind = MeshKind::StandIn;
+        run.id.mesh.scale = Scale::Demo;
     }
     let page = page_of(&results);
-    assert!(page.contains("botijo†") && page.contains("of scale “demo”"));
+    assert!(page.contains("botijo†") && page.contains("Scale demo: the meshes are smaller"));
     assert!(!page.contains("▲") && !page.contains("▼"), "numbers of other sizes are compared");
     assert!(page_of(&both_augmentations()).contains("= equal"));
 }

@@ -2,11 +2,13 @@
 
 use roxmltree::Document;
 use triquad_lab::experiment::{Results, RunRecord};
+use triquad_lab::meshes::MeshKind;
+use triquad_lab::meshes::paper::Scale;
 use triquad_lab::report::Summary;
 use triquad_lab::report::plots::{self, Plot};
 
 fn plots_of(results: &Results) -> Vec<Plot> {
-    plots::all(&Summary::of(results))
+    plots::all(&Summary::new(results))
 }
 
 /// The plot of that name, of records in which `change` was made.
@@ -15,7 +17,7 @@ fn plot(stem: &str, change: impl Fn(&mut RunRecord)) -> Option<Plot> {
     results.records.retain(|run| run.repetition < 2);
     results.planned.clear();
     results.records.iter_mut().for_each(change);
-    plots::named(&Summary::of(&results), stem)
+    plots::named(&Summary::new(&results), stem)
 }
 
 /// What is written in a plot.
@@ -61,14 +63,15 @@ fn every_kind_of_plot_is_made_and_is_the_same_again() {
 #[test]
 fn nothing_gives_no_plot() {
     assert_eq!(plots_of(&Results::default()), vec![]);
-    assert_eq!(plot("figure_16", |run| run.experiment = "another".into()), None);
+    assert_eq!(plot("figure_16", |run| run.id.mesh.experiment = "another".into()), None);
 }
 
 #[test]
 fn an_exponent_that_is_in_the_records_is_written_beside_its_algorithm() {
     let quadratic = plot("figure_16", |run| {
-        let n = run.triangles.unwrap() as f64;
-        run.seconds = Some(1e-9 * n * if run.algorithm == "rs" { 1.0 } else { n });
+        let n = run.measured.triangles.unwrap() as f64;
+        run.measured.seconds =
+            Some(1e-9 * n * if run.id.job.algorithm() == "rs" { 1.0 } else { n });
     })
     .unwrap();
     let texts = texts(&quadratic);
@@ -86,9 +89,9 @@ fn stand_ins_extrapolations_and_company_are_told() {
     let plain = plot("total_scans", |_| {}).unwrap();
     assert!(!hollow(&plain) && !said(&plain, "stand-in") && !said(&plain, "*"));
     let other = plot("total_scans", |run| {
-        run.mesh_kind = "stand-in".into();
+        run.mesh_kind = MeshKind::StandIn;
         run.parallel_jobs = 2;
-        run.stopped_after_paths = (run.algorithm == "sg").then_some(10);
+        run.stopped_after_paths = (run.id.job.algorithm() == "sg").then_some(10);
     })
     .unwrap();
     assert!(hollow(&other) && said(&other, "stand-in") && said(&other, "side by side"));
@@ -109,7 +112,7 @@ fn times_of_runs_in_company_are_not_divided() {
 fn runs_that_did_not_end_well_keep_their_bar() {
     use triquad_lab::experiment::Outcome;
     let stack = plot("stack_4_3", |run| {
-        if run.algorithm == "ds" {
+        if run.id.job.algorithm() == "ds" {
             run.outcome = Outcome::Timeout;
         }
     })
@@ -121,5 +124,5 @@ fn runs_that_did_not_end_well_keep_their_bar() {
 #[test]
 fn a_smaller_scale_is_not_divided_by_the_papers_numbers() {
     assert!(plot("ratio_unpaired_triangles", |_| {}).is_some());
-    assert_eq!(plot("ratio_unpaired_triangles", |run| run.scale = "demo".into()), None);
+    assert_eq!(plot("ratio_unpaired_triangles", |run| run.id.mesh.scale = Scale::Demo), None);
 }

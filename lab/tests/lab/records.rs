@@ -1,49 +1,47 @@
-//! Records of runs that never happened: what the papers print, and plausible numbers where they print
-//! none.
+//! Records of runs that never happened: what the papers print, and plausible numbers where they
+//! print none.
 
 use triquad_lab::experiment::results::Planned;
-use triquad_lab::experiment::{Outcome, Results, RunRecord};
-use triquad_lab::meshes::Recipe;
-use triquad_lab::meshes::paper::{self, PaperMesh};
-use triquad_lab::report::paper::{PairingRow, Table};
+use triquad_lab::experiment::{Job, Measured, MeshId, Results, RunId, RunRecord};
+use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
+use triquad_lab::meshes::{MeshKind, Recipe};
+use triquad_lab::paper::{PairingRow, Table};
 
 /// A run that ended well on a mesh of the papers, without numbers but those of the mesh.
 pub fn run(experiment: &str, group: &str, mesh: &str, algorithm: &str) -> RunRecord {
     let size = paper::named(mesh).expect(mesh);
-    let is_conversion = experiment == "comparison";
-    RunRecord {
-        schema: "triquad-run-1".into(),
-        key: format!("{experiment} {mesh} {algorithm}"),
+    let place = MeshId {
         experiment: experiment.into(),
-        scale: "full".into(),
+        scale: Scale::Full,
         group: group.into(),
-        mesh: mesh.into(),
-        mesh_kind: kind(&size).into(),
-        algorithm: algorithm.into(),
-        lrs_variant: (algorithm == "lrs").then(|| "printed".into()),
-        augmentation: is_conversion.then(|| "tarjan".into()),
-        order: (!is_conversion).then(|| "file".into()),
+        name: mesh.into(),
+    };
+    RunRecord {
+        key: format!("{experiment} {mesh} {algorithm}"),
+        id: RunId { mesh: place, job: Job::named(algorithm).expect(algorithm) },
+        mesh_kind: kind(&size),
         parallel_jobs: 1,
-        outcome: Outcome::Ok,
         program: "triquad 0.1.0".into(),
         machine: "bench".into(),
         command: format!("triquad {algorithm} {mesh}"),
-        vertices: Some(size.vertices.into()),
-        edges: Some(size.edges().into()),
-        triangles: Some(size.triangles().into()),
-        genus: Some(size.genus.into()),
-        components: Some(1),
-        peak_memory_bytes: Some(100 * u64::from(size.triangles())),
+        measured: Measured {
+            vertices: Some(size.vertices.into()),
+            edges: Some(size.edges().into()),
+            triangles: Some(size.triangles().into()),
+            genus: Some(size.genus.into()),
+            components: Some(1),
+            peak_memory_bytes: Some(100 * u64::from(size.triangles())),
+            ..Measured::default()
+        },
         ..RunRecord::default()
     }
 }
 
 /// The scans are taken to be at hand.
-fn kind(mesh: &PaperMesh) -> &'static str {
+fn kind(mesh: &PaperMesh) -> MeshKind {
     match mesh.recipe {
-        Recipe::SimplifiedBox { .. } => "simplified",
-        Recipe::Box(_) => "generated",
-        _ => "real",
+        Recipe::StandIn { .. } => MeshKind::Real,
+        _ => mesh.kind(),
     }
 }
 
@@ -51,10 +49,11 @@ fn kind(mesh: &PaperMesh) -> &'static str {
 pub fn conversion(group: &str, row: &PairingRow) -> RunRecord {
     let run = run("comparison", group, &row.mesh, &row.algorithm);
     let unpaired = row.unpaired_triangles as u64;
-    let triangles = run.triangles.expect("a mesh has triangles");
+    let triangles = run.measured.triangles.expect("a mesh has triangles");
+    let edges = run.measured.edges.expect("and edges");
     let is_lrs = row.algorithm == "lrs";
     let paths = unpaired / 2;
-    RunRecord {
+    let measured = Measured {
         unpaired_triangles: Some(unpaired),
         paired_percent: Some(row.paired_percent),
         pairing_seconds: Some(row.pairing_seconds),
@@ -67,17 +66,18 @@ pub fn conversion(group: &str, row: &PairingRow) -> RunRecord {
         augmentation_triangles_visited: Some(paths * if is_lrs { 300 } else { 1000 }),
         edge_flips: Some(match (row.algorithm.as_str(), row.mesh.as_str()) {
             ("lrs", "botijo") => 3392,
-            ("lrs", _) => run.edges.expect("and edges") * 7 / 100,
+            ("lrs", _) => edges * 7 / 100,
             _ => 0,
         }),
         quality_mean: Some(if is_lrs { 0.5 } else { 0.6 }),
         quality_minimum: Some(if is_lrs { -0.9 } else { 0.1 }),
-        ..run
-    }
+        ..run.measured
+    };
+    RunRecord { measured, ..run }
 }
 
-/// What would be measured if everything went as the papers print it: ten repetitions of SG, PS and BF,
-/// two of the others.
+/// What would be measured if everything went as the papers print it: ten repetitions of SG, PS and
+/// BF, two of the others.
 pub fn of_the_papers() -> Results {
     let mut results = Results::default();
     for (number, group) in [("4.3", "scans"), ("4.4(i)", "A"), ("4.4(ii)", "B")] {
@@ -137,21 +137,11 @@ fn repeat_conversion(results: &mut Results, group: &str, row: &PairingRow) {
 
 /// The plan of a run and its repetitions.
 pub fn planned(run: &RunRecord, repetitions: u32) -> Planned {
-    Planned {
-        experiment: run.experiment.clone(),
-        scale: run.scale.clone(),
-        group: run.group.clone(),
-        mesh: run.mesh.clone(),
-        algorithm: run.algorithm.clone(),
-        lrs_variant: run.lrs_variant.clone(),
-        augmentation: run.augmentation.clone(),
-        order: run.order.clone(),
-        repetitions,
-    }
+    Planned { id: run.id.clone(), repetitions }
 }
 
-/// t_s/t_rs and t_bf/t_rs on the first group, of which the paper prints those of Socket, Eros (their
-/// quotient) and Iphigenia.
+/// t_s/t_rs and t_bf/t_rs on the first group, of which the paper prints those of Socket, Eros
+/// (their quotient) and Iphigenia.
 const FIRST_GROUP: [(&str, f64, f64); 10] = [
     ("socket", 2.13, 1.14),
     ("casting", 2.8, 1.27),
@@ -181,11 +171,7 @@ fn irreducible(results: &mut Results, group: &str, mesh: &str) {
     let tests = Table::ALL.iter().flat_map(Table::link_test_rows).find(|row| row.mesh == mesh);
     let (tests, again) = match tests {
         Some(row) => (
-            [
-                row.rs_link_condition_tests,
-                row.schipper_link_condition_tests,
-                row.brute_force_link_condition_tests,
-            ],
+            row.link_condition_tests(),
             [
                 0.0,
                 row.schipper_edges_tested_more_than_once,
@@ -204,14 +190,15 @@ fn irreducible(results: &mut Results, group: &str, mesh: &str) {
                 let repetitions = u64::from(repetitions);
                 sum / repetitions + u64::from(u64::from(repetition) < sum % repetitions)
             };
-            results.records.push(RunRecord {
-                repetition,
+            let run = run("irreducible", group, mesh, algorithm);
+            let measured = Measured {
                 seconds: Some(rs * slower),
                 link_condition_tests: Some(spread(tests)),
                 edges_tested_more_than_once: Some(spread(again)),
                 result_vertices: Some(if size.genus == 0 { 4 } else { 10 * u64::from(size.genus) }),
-                ..run("irreducible", group, mesh, algorithm)
-            });
+                ..run.measured
+            };
+            results.records.push(RunRecord { repetition, measured, ..run });
         }
         let last = results.records.last().unwrap().clone();
         results.planned.push(planned(&last, repetitions));

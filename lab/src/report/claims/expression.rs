@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use super::number::Number;
+use crate::experiment::Job;
 
 /// Factors, multiplied and divided from left to right.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -10,14 +11,13 @@ use super::number::Number;
 pub struct Expression {
     /// At least one.
     pub factors: Vec<Factor>,
-    text: String,
 }
 
 /// A number of an algorithm on a mesh, or of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Factor {
-    /// As in records, run as the papers ran it; `None` for a number of the mesh.
-    pub algorithm: Option<String>,
+    /// The algorithm as its paper ran it; `None` for a number of the mesh.
+    pub job: Option<Job>,
     /// Which number.
     pub number: &'static Number,
     /// Whether it divides.
@@ -27,50 +27,46 @@ pub struct Factor {
 /// Why a text is no expression.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no such number: {0:?}")]
-pub struct ParseError(String);
+pub struct ExpressionError(String);
 
 impl Expression {
-    /// Whether one of its numbers is a time.
+    /// Returns whether one of its numbers is a time.
     pub fn is_about_times(&self) -> bool {
         self.factors.iter().any(|factor| factor.number.is_time)
-    }
-
-    /// As it was written.
-    pub fn text(&self) -> &str {
-        &self.text
     }
 }
 
 impl TryFrom<String> for Expression {
-    type Error = ParseError;
+    type Error = ExpressionError;
 
-    /// Words apart by spaces: factors, and `*` or `/` between them.
-    fn try_from(text: String) -> Result<Self, ParseError> {
+    /// Parses words apart by spaces: factors, and `*` or `/` between them.
+    fn try_from(text: String) -> Result<Self, ExpressionError> {
         let words: Vec<&str> = text.split(' ').collect();
         let mut factors = vec![Factor::parse(words[0], false)?];
         for pair in words[1..].chunks(2) {
             factors.push(match pair {
                 ["*", factor] => Factor::parse(factor, false)?,
                 ["/", factor] => Factor::parse(factor, true)?,
-                other => return Err(ParseError(other.join(" "))),
+                other => return Err(ExpressionError(other.join(" "))),
             });
         }
-        Ok(Self { factors, text })
+        Ok(Self { factors })
     }
 }
 
 impl Factor {
-    /// `algorithm.number` or `number`.
-    fn parse(word: &str, divides: bool) -> Result<Self, ParseError> {
-        let (algorithm, name) = match word.split_once('.') {
-            Some((algorithm, name)) => (Some(algorithm.to_owned()), name),
+    /// Parses `algorithm.number` or `number`.
+    fn parse(word: &str, divides: bool) -> Result<Self, ExpressionError> {
+        let error = || ExpressionError(word.to_owned());
+        let (job, name) = match word.split_once('.') {
+            Some((algorithm, name)) => (Some(Job::named(algorithm).map_err(|_| error())?), name),
             None => (None, word),
         };
-        let number = Number::named(name).ok_or_else(|| ParseError(word.to_owned()))?;
-        Ok(Self { algorithm, number, divides })
+        let number = Number::named(name).ok_or_else(error)?;
+        Ok(Self { job, number, divides })
     }
 
-    /// Takes the factor into a product.
+    /// Multiplies a product by the factor or divides it.
     pub fn apply(&self, product: f64, value: f64) -> f64 {
         if self.divides { product / value } else { product * value }
     }
@@ -80,7 +76,7 @@ impl Factor {
 mod tests {
     use super::*;
 
-    fn parse(text: &str) -> Result<Expression, ParseError> {
+    fn parse(text: &str) -> Result<Expression, ExpressionError> {
         Expression::try_from(text.to_owned())
     }
 
@@ -89,8 +85,8 @@ mod tests {
         let found = parse("lrs.augmentation_seconds / lrs.augmenting_paths * triangles").unwrap();
         let divide: Vec<bool> = found.factors.iter().map(|factor| factor.divides).collect();
         assert_eq!(divide, [false, true, false]);
-        assert_eq!(found.factors[0].algorithm.as_deref(), Some("lrs"));
-        assert_eq!(found.factors[2].algorithm, None);
+        assert_eq!(found.factors[0].job.map(Job::algorithm), Some("lrs"));
+        assert_eq!(found.factors[2].job, None);
         assert!(found.is_about_times() && !parse("genus").unwrap().is_about_times());
         let value =
             [6.0, 3.0, 5.0].iter().zip(&found.factors).fold(1.0, |p, (v, f)| f.apply(p, *v));
@@ -99,7 +95,9 @@ mod tests {
 
     #[test]
     fn what_is_no_expression_is_named() {
-        for text in ["", "sg.", "sg.colour", "genus /", "genus + genus", "genus  / genus"] {
+        for text in
+            ["", "sg.", "xx.genus", "sg.colour", "genus /", "genus + genus", "genus  / genus"]
+        {
             assert!(parse(text).is_err(), "{text}");
         }
     }

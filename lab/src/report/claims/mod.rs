@@ -6,11 +6,11 @@ mod predicate;
 
 use serde::Deserialize;
 
-pub use expression::{Expression, Factor, ParseError};
+pub use expression::{Expression, ExpressionError, Factor};
 pub use number::Number;
-pub use predicate::{Direction, Point, Predicate, Test};
+pub use predicate::{Direction, Finding, MeshNumber, Predicate};
 
-use super::paper::Table;
+use crate::paper::{Paper, Table, TableKind};
 
 /// The text of `experiments/claims.toml`.
 const TEXT: &str = include_str!("../../../experiments/claims.toml");
@@ -18,7 +18,7 @@ const TEXT: &str = include_str!("../../../experiments/claims.toml");
 /// What kind of number a claim is about; each is comparable under other conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Kind {
+pub enum ClaimKind {
     /// Counts, which do not depend on the machine.
     MachineFree,
     /// Times divided by times of the same folder of results.
@@ -29,8 +29,8 @@ pub enum Kind {
     Seconds,
 }
 
-impl Kind {
-    /// As in the file.
+impl ClaimKind {
+    /// Returns the name in the file.
     pub fn name(self) -> &'static str {
         match self {
             Self::MachineFree => "machine-free",
@@ -62,9 +62,9 @@ pub struct Claim {
     /// Section, table or figure.
     pub source: String,
     /// What kind of number it is about.
-    pub kind: Kind,
-    /// `comparison` or `irreducible`.
-    pub experiment: String,
+    pub kind: ClaimKind,
+    /// The paper, whose experiment has the records.
+    pub experiment: Paper,
     /// Groups of the experiment, or names of meshes.
     pub meshes: Vec<String>,
     /// The number that is tested on each mesh.
@@ -82,14 +82,14 @@ pub struct Claim {
     pub inconsistent: Option<String>,
 }
 
-/// The file.
+/// Content of the file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct ClaimsFile {
     claim: Vec<Claim>,
 }
 
-/// Every claim, in the order of the papers.
+/// Returns every claim, in the order of the papers.
 ///
 /// # Panics
 /// If the file, which is a part of the program, is not what it should be.
@@ -100,39 +100,27 @@ pub fn all() -> Vec<Claim> {
 /// Reads a file of claims.
 ///
 /// # Errors
-/// It is not TOML, or says what no claim says.
+/// It is not TOML, or has a field that no claim has.
 pub fn parse(text: &str) -> Result<Vec<Claim>, toml::de::Error> {
-    toml::from_str::<File>(text).map(|file| file.claim)
+    toml::from_str::<ClaimsFile>(text).map(|file| file.claim)
 }
 
 impl Claim {
-    /// Whether it is about times, so that runs must not have disturbed each other.
+    /// Returns whether it is about times, so that runs must not have disturbed each other.
     pub fn is_about_times(&self) -> bool {
         let along = self.predicate.along();
         self.value.is_about_times() || along.is_some_and(Expression::is_about_times)
     }
 
-    /// The meshes it is about by name, groups replaced by the meshes of their printed table.
+    /// Returns the names of its meshes, groups replaced by the meshes of their printed table.
     pub fn mesh_names(&self) -> Vec<String> {
-        let names_of = |name: &String| match printed_group(&self.experiment, name) {
-            Some(table) => table.mesh_rows().into_iter().map(|row| row.mesh).collect(),
-            None => vec![name.clone()],
+        let names_of = |name: &String| {
+            let mut tables = Table::of_kind(self.experiment, TableKind::Meshes);
+            match tables.find(|table| table.group == name) {
+                Some(table) => table.mesh_rows().into_iter().map(|row| row.mesh).collect(),
+                None => vec![name.clone()],
+            }
         };
         self.meshes.iter().flat_map(names_of).collect()
     }
-}
-
-/// The table that lists the meshes of a group.
-fn printed_group(experiment: &str, group: &str) -> Option<Table> {
-    let number = match (experiment, group) {
-        ("comparison", "scans") => "4.1",
-        ("comparison", "A") => "4.2(a)",
-        ("comparison", "B") => "4.2(b)",
-        ("irreducible", "scans") => "2",
-        ("irreducible", "B") => "3",
-        ("irreducible", "C") => "4",
-        ("irreducible", "D") => "5",
-        _ => return None,
-    };
-    Table::numbered(number)
 }

@@ -5,7 +5,7 @@ use crate::experiment::RunRecord;
 /// A number that runs have.
 #[derive(Debug)]
 pub struct Number {
-    /// Its name: that of the column of `runs.csv`, but `augmentation_seconds` and `total_seconds`, which
+    /// Its name, that of the column of `runs.csv`; but `augmentation_seconds` and `total_seconds`
     /// are extrapolated where the augmentation was stopped.
     pub name: &'static str,
     /// Whether it depends on the machine.
@@ -26,7 +26,7 @@ macro_rules! count {
         Number {
             name: stringify!($name),
             is_time: false,
-            of: |run| run.$name.map(|count| count as f64),
+            of: |run| run.measured.$name.map(|count| count as f64),
         }
     };
 }
@@ -45,26 +45,26 @@ static NUMBERS: [Number; 17] = [
     count!(triangles),
     count!(genus),
     count!(unpaired_triangles),
-    Number { name: "paired_percent", is_time: false, of: |run| run.paired_percent },
+    Number { name: "paired_percent", is_time: false, of: |run| run.measured.paired_percent },
     count!(edge_flips),
     count!(augmenting_paths),
     Number {
         name: "augmenting_path_length_mean",
         is_time: false,
-        of: |run| run.augmenting_path_length_mean,
+        of: |run| run.measured.augmenting_path_length_mean,
     },
     count!(augmentation_triangles_visited),
     count!(link_condition_tests),
     count!(edges_tested_more_than_once),
     count!(result_vertices),
-    time!(pairing_seconds, |run| run.pairing_seconds),
+    time!(pairing_seconds, |run| run.measured.pairing_seconds),
     time!(augmentation_seconds, RunRecord::whole_augmentation_seconds),
     time!(total_seconds, RunRecord::whole_total_seconds),
-    time!(seconds, |run| run.seconds),
+    time!(seconds, |run| run.measured.seconds),
 ];
 
 impl Number {
-    /// The number of that name.
+    /// Returns the number of that name.
     pub fn named(name: &str) -> Option<&'static Self> {
         NUMBERS.iter().find(|number| number.name == name)
     }

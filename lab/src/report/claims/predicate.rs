@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::expression::Expression;
-use crate::report::fit::PowerLaw;
 use crate::report::number::significant;
+use crate::report::power_law::PowerLaw;
 use crate::report::statistics::Statistics;
 
 /// A number on a mesh, with what some tests need beside it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub struct MeshNumber {
     /// The mesh.
     pub mesh: String,
     /// The number.
@@ -47,7 +47,8 @@ pub enum Predicate {
         /// Greatest value.
         high: Option<f64>,
     },
-    /// On every mesh: the printed number, within a factor of `tolerance` either way; 1 for equality.
+    /// On every mesh: the printed number, within a factor of `tolerance` either way; 1 for
+    /// equality.
     AsPrinted {
         /// At least 1.
         tolerance: f64,
@@ -112,9 +113,9 @@ pub enum Predicate {
     },
 }
 
-/// What a test said.
+/// The outcome of a test.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Test {
+pub struct Finding {
     /// Whether the points pass.
     pub holds: bool,
     /// The number that decided, or the range of the values, in words.
@@ -126,7 +127,7 @@ pub struct Test {
 }
 
 impl Predicate {
-    /// What the number is drawn against.
+    /// Returns the number that this one is drawn against.
     pub fn along(&self) -> Option<&Expression> {
         match self {
             Self::Monotone { along, .. }
@@ -136,9 +137,14 @@ impl Predicate {
         }
     }
 
-    /// Tests `points`, of which there must be some; `printed` has the paper's own, as far as it prints
-    /// them.
-    pub fn test(&self, points: &[Point], printed: &[Point]) -> Test {
+    /// Returns whether it has the printed numbers itself.
+    pub fn has_numbers(&self) -> bool {
+        matches!(self, Self::AsPrinted { numbers, .. } if !numbers.is_empty())
+    }
+
+    /// Tests `points`, of which there must be some; `printed` has the paper's own, as far as it
+    /// prints them.
+    pub fn test(&self, points: &[MeshNumber], printed: &[MeshNumber]) -> Finding {
         match self {
             Self::Monotone { direction, share, .. } => monotone(points, *direction, *share),
             Self::Exponent { low, high, .. } => exponent(points, *low, *high),
@@ -150,15 +156,16 @@ impl Predicate {
         }
     }
 
-    fn pointwise(&self, points: &[Point], printed: &[Point]) -> Test {
-        let names = |points: Vec<&Point>| points.iter().map(|point| point.mesh.clone()).collect();
-        let holds_at = |point: &Point, value| self.holds_at(point, value, printed);
+    fn pointwise(&self, points: &[MeshNumber], printed: &[MeshNumber]) -> Finding {
+        let names =
+            |points: Vec<&MeshNumber>| points.iter().map(|point| point.mesh.clone()).collect();
+        let holds_at = |point: &MeshNumber, value| self.holds_at(point, value, printed);
         let broken = points.iter().filter(|point| !holds_at(point, point.value));
         let undecided = broken.clone().filter(|point| {
             let interval = point.interval.filter(|(low, high)| low < high);
             interval.is_some_and(|(low, high)| holds_at(point, low) || holds_at(point, high))
         });
-        Test {
+        Finding {
             holds: broken.clone().next().is_none(),
             found: range_of(points),
             undecided_on: names(undecided.collect()),
@@ -166,7 +173,7 @@ impl Predicate {
         }
     }
 
-    fn holds_at(&self, point: &Point, value: f64, printed: &[Point]) -> bool {
+    fn holds_at(&self, point: &MeshNumber, value: f64, printed: &[MeshNumber]) -> bool {
         match self {
             Self::Range { low, high } => {
                 low.is_none_or(|low| value >= low) && high.is_none_or(|high| value <= high)
@@ -181,18 +188,18 @@ impl Predicate {
             Self::GenusBound { sphere, .. } if point.genus == 0.0 => value == *sphere,
             Self::GenusBound { slope, offset, .. } => value <= slope * point.genus + offset,
             Self::BelowOneOnlyOn { winners } => (value < 1.0) == winners.contains(&point.mesh),
-            _ => unreachable!("tests of several meshes at once are not asked about one"),
+            _ => unreachable!("the other tests are of several meshes at once"),
         }
     }
 }
 
-/// Whether `value` and `number` differ by a factor of at most `tolerance`.
+/// Returns whether `value` and `number` differ by a factor of at most `tolerance`.
 fn within(value: f64, number: f64, tolerance: f64) -> bool {
     value <= number * tolerance && value * tolerance >= number
 }
 
-/// The least and the greatest value.
-fn range_of(points: &[Point]) -> String {
+/// Returns the least and the greatest value in words.
+fn range_of(points: &[MeshNumber]) -> String {
     let (low, high) = extremes(points);
     let meshes = if points.len() == 1 { "mesh" } else { "meshes" };
     let count = points.len();
@@ -203,16 +210,16 @@ fn range_of(points: &[Point]) -> String {
     }
 }
 
-fn extremes(points: &[Point]) -> (f64, f64) {
+fn extremes(points: &[MeshNumber]) -> (f64, f64) {
     let values = points.iter().map(|point| point.value);
     (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
 }
 
-fn whole(holds: bool, found: String) -> Test {
-    Test { holds, found, broken_on: Vec::new(), undecided_on: Vec::new() }
+fn whole(holds: bool, found: String) -> Finding {
+    Finding { holds, found, broken_on: Vec::new(), undecided_on: Vec::new() }
 }
 
-fn monotone(points: &[Point], direction: Direction, share: f64) -> Test {
+fn monotone(points: &[MeshNumber], direction: Direction, share: f64) -> Finding {
     let (mut pairs, mut agreeing) = (0_u32, 0_u32);
     for (i, one) in points.iter().enumerate() {
         for other in points[..i].iter().filter(|other| other.along != one.along) {
@@ -229,7 +236,7 @@ fn monotone(points: &[Point], direction: Direction, share: f64) -> Test {
     whole(holds, format!("{word} in {agreeing} of {pairs} pairs of meshes; {}", range_of(points)))
 }
 
-fn exponent(points: &[Point], low: f64, high: f64) -> Test {
+fn exponent(points: &[MeshNumber], low: f64, high: f64) -> Finding {
     let pairs: Vec<(f64, f64)> = points.iter().map(|point| (point.along, point.value)).collect();
     let Some(fit) = PowerLaw::through(&pairs) else {
         return whole(false, "no exponent: sizes or values do not differ".into());
@@ -240,45 +247,46 @@ fn exponent(points: &[Point], low: f64, high: f64) -> Test {
     whole((low..=high).contains(&fit.exponent), found)
 }
 
-fn largest_on(points: &[Point], mesh: &str) -> Test {
-    let mut sorted: Vec<&Point> = points.iter().collect();
+fn largest_on(points: &[MeshNumber], mesh: &str) -> Finding {
+    let mut sorted: Vec<&MeshNumber> = points.iter().collect();
     sorted.sort_by(|one, other| other.value.total_cmp(&one.value));
     let largest = sorted[0];
     let found = format!("largest on {}: {}", largest.mesh, significant(largest.value));
     whole(largest.mesh == mesh, found)
 }
 
-fn constant(points: &[Point], factor: f64) -> Test {
+fn constant(points: &[MeshNumber], factor: f64) -> Finding {
     let (low, high) = extremes(points);
     whole(low > 0.0 && high <= low * factor, range_of(points))
 }
 
-fn product_law(points: &[Point], base: &str, factor: f64) -> Test {
+fn product_law(points: &[MeshNumber], base: &str, factor: f64) -> Finding {
     let Some(base) = points.iter().find(|point| point.mesh == base) else {
         return whole(false, "the mesh to compare with is missing".into());
     };
-    let change =
-        |number: fn(&Point) -> f64, point: &Point| (number(point) - number(base)) / number(base);
-    let law = |point: &Point| {
+    let change = |number: fn(&MeshNumber) -> f64, point: &MeshNumber| {
+        (number(point) - number(base)) / number(base)
+    };
+    let law = |point: &MeshNumber| {
         let product = change(|p| p.triangles, point) * change(|p| p.genus, point);
-        Point { value: change(|p| p.value, point) / product, ..point.clone() }
+        MeshNumber { value: change(|p| p.value, point) / product, ..point.clone() }
     };
     let others = points.iter().filter(|point| point.mesh != base.mesh);
-    let laws: Vec<Point> = others.map(law).collect();
+    let laws: Vec<MeshNumber> = others.map(law).collect();
     if laws.is_empty() || laws.iter().any(|point| !point.value.is_finite()) {
         return whole(false, "sizes or genera do not differ".into());
     }
     let test = constant(&laws, factor);
-    Test { found: format!("δt/(δf δg): {}", test.found), ..test }
+    Finding { found: format!("δt/(δf δg): {}", test.found), ..test }
 }
 
-fn scaled(points: &[Point], printed: &[Point]) -> Test {
-    let both: Vec<(&Point, &Point)> = points
+fn scaled(points: &[MeshNumber], printed: &[MeshNumber]) -> Finding {
+    let both: Vec<(&MeshNumber, &MeshNumber)> = points
         .iter()
         .filter_map(|ours| Some((ours, printed.iter().find(|paper| paper.mesh == ours.mesh)?)))
         .collect();
     let factors: Vec<f64> = both.iter().map(|(ours, paper)| paper.along / ours.along).collect();
-    let Some(Statistics { median: factor, .. }) = Statistics::of(&factors) else {
+    let Some(Statistics { median: factor, .. }) = Statistics::from_values(&factors) else {
         return whole(false, "no printed seconds".into());
     };
     let estimates = both.iter().map(|(ours, paper)| {

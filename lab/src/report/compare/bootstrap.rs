@@ -9,15 +9,15 @@ const RESAMPLES: usize = 1000;
 /// The runs of one factor: repetition and value.
 pub type Sample = Vec<(u32, f64)>;
 
-/// The product of the means.
+/// Returns the product of the means.
 pub fn product(factors: &[(&Factor, Sample)]) -> f64 {
     let mean = |sample: &Sample| sample.iter().map(|run| run.1).sum::<f64>() / sample.len() as f64;
     factors.iter().fold(1.0, |product, (factor, sample)| factor.apply(product, mean(sample)))
 }
 
-/// 95 % of 1000 resamples of the product of means (percentile bootstrap); `None` where nothing was
-/// repeated. Factors with the same repetitions are drawn together, so that what disturbed a repetition
-/// disturbs both. O(1000 · runs).
+/// Returns 95 % of 1000 resamples of the product of means (percentile bootstrap); `None` where
+/// nothing was repeated. Factors with the same repetitions are drawn together, so that what
+/// disturbed a repetition disturbs both. O(1000 · runs).
 pub fn interval(factors: &[(&Factor, Sample)], mut random: Random) -> Option<(f64, f64)> {
     if factors.iter().all(|(_, sample)| sample.len() < 2) {
         return None;
@@ -35,7 +35,7 @@ pub fn interval(factors: &[(&Factor, Sample)], mut random: Random) -> Option<(f6
     Some((products[RESAMPLES / 40], products[RESAMPLES - 1 - RESAMPLES / 40]))
 }
 
-/// The mean of each factor over runs drawn with replacement.
+/// Returns the mean of each factor over runs drawn with replacement.
 fn resample(factors: &[(&Factor, Sample)], random: &mut Random) -> Vec<f64> {
     let mut means = vec![None; factors.len()];
     for first in 0..factors.len() {

@@ -1,17 +1,19 @@
 //! The verdict on every claim of the papers.
 //!
-//! A claim is tested on our records, and on the papers' own printed numbers beside it. What cannot be
-//! judged is said to be not comparable, with the reason; nothing is left out.
+//! A claim is tested on our records, and on the papers' own printed numbers beside it. What cannot
+//! be judged is said to be not comparable, with the reason; nothing is left out.
 
 mod bootstrap;
-mod ours;
+mod evidence;
 mod printed;
 
+use evidence::Evidence;
 use printed::Printed;
 
-use super::claims::{self, Claim, Kind, Need, Point, Predicate, Test};
+use super::claims::{self, Claim, ClaimKind, Finding, MeshNumber, Need};
 use super::number::significant;
 use super::summary::Summary;
+use crate::csv_text;
 
 /// What became of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +22,7 @@ pub enum Verdict {
     Reproduced,
     /// It does not hold of our records.
     Differs,
-    /// Our records cannot tell.
+    /// Our records do not decide it.
     NotComparable,
     /// The paper's own numbers contradict it.
     PaperInconsistent,
@@ -31,7 +33,7 @@ impl Verdict {
     pub const ALL: [Self; 4] =
         [Self::Reproduced, Self::Differs, Self::NotComparable, Self::PaperInconsistent];
 
-    /// In words.
+    /// Returns the verdict in words.
     pub fn name(self) -> &'static str {
         match self {
             Self::Reproduced => "reproduced",
@@ -52,7 +54,7 @@ pub struct Judged {
     /// Where.
     pub source: String,
     /// What kind of number it is about.
-    pub kind: Kind,
+    pub kind: ClaimKind,
     /// What became of it.
     pub verdict: Verdict,
     /// Our numbers.
@@ -61,8 +63,8 @@ pub struct Judged {
     pub paper: String,
     /// Why the verdict is what it is.
     pub reason: String,
-    /// The reason, and our number on every mesh.
-    pub detail: String,
+    /// Our number on every mesh, and the meshes without.
+    pub by_mesh: String,
 }
 
 /// Every claim, judged.
@@ -73,23 +75,29 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Number of claims of that verdict.
+    /// Returns the number of claims of that verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.verdicts.iter().filter(|judged| judged.verdict == verdict).count()
     }
 
-    /// The verdicts as comma-separated values.
+    /// Returns the verdicts as comma-separated values.
     pub fn csv(&self) -> String {
-        let mut writer = csv::Writer::from_writer(Vec::new());
         let header = ["id", "verdict", "kind", "statement", "source", "ours", "paper", "detail"];
-        writer.write_record(header).expect("memory takes everything");
-        for judged in &self.verdicts {
-            let Judged { id, statement, source, kind, verdict, ours, paper, detail, .. } = judged;
-            let row = [id, verdict.name(), kind.name(), statement, source, ours, paper, detail];
-            writer.write_record(row).expect("memory takes everything");
-        }
-        let bytes = writer.into_inner().expect("memory takes everything");
-        String::from_utf8(bytes).expect("made of strings")
+        let row = |judged: &Judged| {
+            let Judged { id, statement, source, kind, verdict, ours, paper, .. } = judged;
+            let row = [id, verdict.name(), kind.name(), statement, source, ours, paper];
+            row.map(str::to_owned).into_iter().chain([judged.detail()]).collect::<Vec<_>>()
+        };
+        let header = header.map(str::to_owned).to_vec();
+        csv_text::of_texts(std::iter::once(header).chain(self.verdicts.iter().map(row)))
+    }
+}
+
+impl Judged {
+    /// Returns the reason, and our number on every mesh.
+    pub fn detail(&self) -> String {
+        let parts = [self.reason.as_str(), &self.by_mesh];
+        parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(". ")
     }
 }
 
@@ -105,18 +113,8 @@ pub fn judge_claims(claims: &[Claim], summary: &Summary) -> Comparison {
     Comparison { verdicts: claims.iter().map(judge).collect() }
 }
 
-/// What is known of a claim's number, mesh by mesh.
-#[derive(Default)]
-struct Evidence {
-    points: Vec<Point>,
-    /// Mesh, and why it has no point.
-    missing: Vec<(String, String)>,
-    /// Kinds of the meshes and the like, by mesh, as far as they matter to a reader.
-    remarks: Vec<(String, String)>,
-}
-
-fn judge_one(claim: &Claim, printed: &[Point], summary: &Summary) -> Judged {
-    let ours = ours::evidence(claim, summary);
+fn judge_one(claim: &Claim, printed: &[MeshNumber], summary: &Summary) -> Judged {
+    let ours = evidence::evidence(claim, summary);
     let test = (!ours.points.is_empty()).then(|| claim.predicate.test(&ours.points, printed));
     let (verdict, reason) = verdict(claim, summary, &ours, test.as_ref());
     Judged {
@@ -127,24 +125,24 @@ fn judge_one(claim: &Claim, printed: &[Point], summary: &Summary) -> Judged {
         verdict,
         ours: test.as_ref().map(|test| test.found.clone()).unwrap_or_default(),
         paper: paper_text(claim, printed),
-        detail: detail(&reason, &ours, test.as_ref()),
+        by_mesh: by_mesh(&ours, test.as_ref()),
         reason,
     }
 }
 
-/// Whether the claim holds of what the papers print; `None` where they print too little to tell.
+/// Returns whether the claim holds of what the papers print; `None` where they print too little.
 pub fn holds_of_the_paper(claim: &Claim) -> Option<bool> {
     let printed = Printed::new().evidence(claim);
     let complete = printed.len() == claim.mesh_names().len();
     complete.then(|| claim.predicate.test(&printed, &printed).holds)
 }
 
-/// The verdict and its reason.
+/// Returns the verdict and its reason.
 fn verdict(
     claim: &Claim,
     summary: &Summary,
     ours: &Evidence,
-    test: Option<&Test>,
+    test: Option<&Finding>,
 ) -> (Verdict, String) {
     if let Some(reason) = &claim.inconsistent {
         let holds = match test {
@@ -168,8 +166,8 @@ fn verdict(
     }
 }
 
-/// The verdict of a test that nothing stands in the way of.
-fn judge_test(claim: &Claim, ours: &Evidence, test: &Test) -> (Verdict, String) {
+/// Returns the verdict of a test whose numbers can be judged.
+fn judge_test(claim: &Claim, ours: &Evidence, test: &Finding) -> (Verdict, String) {
     let refuted: Vec<&str> = test
         .broken_on
         .iter()
@@ -191,43 +189,41 @@ fn judge_test(claim: &Claim, ours: &Evidence, test: &Test) -> (Verdict, String) 
     }
 }
 
-/// What keeps a claim from being judged, whatever its numbers.
+/// Returns what keeps a claim from being judged, whatever its numbers.
 fn hindrance(claim: &Claim, summary: &Summary) -> Option<String> {
-    let first = summary.of_group(&claim.experiment, None).next();
-    let scale = first.map_or("full", |cell| cell.scale.as_str());
-    if claim.kind == Kind::Seconds {
+    let first = summary.of_paper(claim.experiment).next();
+    if claim.kind == ClaimKind::Seconds {
         Some("seconds of another machine and compiler; an estimate, not a test".into())
     } else if claim.is_about_times() && summary.is_parallel() {
         Some("the runs went on beside others on the same machine, so that times say little".into())
-    } else if claim.needs.contains(&Need::PaperSize) && scale != "full" {
-        Some(format!("depends on sizes, and the meshes of scale {scale} are smaller"))
+    } else if claim.needs.contains(&Need::PaperSize) {
+        let smaller = first.filter(|cell| !cell.is_full_scale())?.id.mesh.scale.id();
+        Some(format!("depends on sizes, and the meshes of scale {smaller} are smaller"))
     } else {
         None
     }
 }
 
-fn paper_text(claim: &Claim, printed: &[Point]) -> String {
+fn paper_text(claim: &Claim, printed: &[MeshNumber]) -> String {
     let found = (!printed.is_empty()).then(|| claim.predicate.test(printed, printed).found);
     match found {
         Some(found) if claim.paper.is_empty() => found,
         // The printed numbers are those of the text.
-        Some(_) if matches!(&claim.predicate, Predicate::AsPrinted { numbers, .. } if !numbers.is_empty()) => {
-            claim.paper.clone()
-        }
+        Some(_) if claim.predicate.has_numbers() => claim.paper.clone(),
         Some(found) => format!("{}; in its tables {found}", claim.paper),
         None => claim.paper.clone(),
     }
 }
 
-/// The reason, every mesh with its number, and the meshes without.
-fn detail(reason: &str, ours: &Evidence, test: Option<&Test>) -> String {
+/// Returns every mesh with its number, and the meshes without.
+fn by_mesh(ours: &Evidence, test: Option<&Finding>) -> String {
     let broken = |mesh: &String| test.is_some_and(|test| test.broken_on.contains(mesh));
     let remark = |mesh: &String| {
         let found = ours.remarks.iter().find(|(name, _)| name == mesh);
         found.map_or(String::new(), |(_, remark)| format!(" ({remark})"))
     };
-    let number = |point: &Point| {
-        // Where every repetition gives the same, there is nothing to say.
+    let number = |point: &MeshNumber| {
+        // Equal repetitions have no interval.
         let interval = point.interval.filter(|(low, high)| low < high);
         let interval = interval.map_or(String::new(), |(low, high)| {
             format!(" [{}, {}]", significant(low), significant(high))
@@ -240,7 +236,7 @@ fn detail(reason: &str, ours: &Evidence, test: Option<&Test>) -> String {
             significant(point.value)
         )
     };
-    let mut parts = vec![reason.to_owned()];
+    let mut parts = Vec::new();
     parts.extend(
         (!ours.points.is_empty())
             .then(|| ours.points.iter().map(number).collect::<Vec<_>>().join("; ")),

@@ -1,40 +1,53 @@
 //! A claim's number on every mesh, from what the papers print.
 
-use crate::meshes::paper;
-use crate::report::claims::{Claim, Expression, Factor, Point, Predicate};
-use crate::report::paper::{LinkTestRow, PairingRow, RatioRow, Table};
+use std::collections::{BTreeMap, HashMap};
 
-/// The rows of the papers' tables.
-pub struct Printed {
-    pairings: Vec<PairingRow>,
-    link_tests: Vec<LinkTestRow>,
-    ratios: Vec<RatioRow>,
-}
+use crate::meshes::paper;
+use crate::paper::{Table, TableKind};
+use crate::report::claims::{Claim, Expression, Factor, MeshNumber, Predicate};
+
+/// The numbers of the papers' tables, by mesh and by what is measured, as in their columns:
+/// `ps_total_seconds`, `rs_link_condition_tests`, `schipper_to_rs_seconds`.
+pub struct Printed(HashMap<(String, String), f64>);
 
 impl Printed {
-    /// Reads them.
+    /// Reads the tables.
     pub fn new() -> Self {
-        Self {
-            pairings: Table::ALL.iter().flat_map(Table::pairing_rows).collect(),
-            link_tests: Table::ALL.iter().flat_map(Table::link_test_rows).collect(),
-            ratios: Table::ALL.iter().flat_map(Table::ratio_rows).collect(),
+        let mut numbers = HashMap::new();
+        for table in Table::ALL.iter().filter(|table| table.kind != TableKind::Meshes) {
+            for row in csv::Reader::from_reader(table.text.as_bytes()).into_deserialize() {
+                let row: BTreeMap<String, String> =
+                    row.expect("a table has as many fields as names");
+                // Tables of pairings have a row for each algorithm, the others columns for each.
+                let of = row.get("algorithm").map_or(String::new(), |name| format!("{name}_"));
+                let numbers_of_row = row.iter().filter_map(|(column, field)| {
+                    let quantity = format!("{of}{column}");
+                    Some(((row["mesh"].clone(), quantity), field.parse().ok()?))
+                });
+                numbers.extend(numbers_of_row);
+            }
         }
+        Self(numbers)
     }
 
-    /// The number of `claim` on those of its meshes for which the paper prints it. Sizes are the
-    /// corrected ones of [`paper::ALL`].
-    pub fn evidence(&self, claim: &Claim) -> Vec<Point> {
+    fn get(&self, mesh: &str, quantity: &str) -> Option<f64> {
+        self.0.get(&(mesh.to_owned(), quantity.replace('-', "_"))).copied()
+    }
+
+    /// Returns the number of `claim` on those of its meshes for which the paper prints it. Sizes
+    /// are the corrected ones of [`paper::ALL`].
+    pub fn evidence(&self, claim: &Claim) -> Vec<MeshNumber> {
         claim.mesh_names().iter().filter_map(|mesh| self.point(claim, mesh)).collect()
     }
 
-    fn point(&self, claim: &Claim, mesh: &str) -> Option<Point> {
+    fn point(&self, claim: &Claim, mesh: &str) -> Option<MeshNumber> {
         let size = paper::named(mesh)?;
         let in_text = match &claim.predicate {
             Predicate::AsPrinted { numbers, .. } => numbers.get(mesh).copied(),
             _ => None,
         };
         let along = claim.predicate.along();
-        Some(Point {
+        Some(MeshNumber {
             mesh: mesh.to_owned(),
             value: in_text.or_else(|| self.value(mesh, &claim.value))?,
             interval: None,
@@ -55,7 +68,7 @@ impl Printed {
 
     fn number(&self, mesh: &str, factor: &Factor) -> Option<f64> {
         let name = factor.number.name;
-        let Some(algorithm) = factor.algorithm.as_deref() else {
+        let Some(job) = factor.job else {
             let size = paper::named(mesh)?;
             return match name {
                 "vertices" => Some(size.vertices.into()),
@@ -65,57 +78,18 @@ impl Printed {
                 _ => None,
             };
         };
-        self.pairing(mesh, algorithm, name).or_else(|| self.link_tests(mesh, algorithm, name))
+        self.get(mesh, &format!("{}_{name}", job.algorithm()))
     }
 
-    /// Tables 4.3 and 4.4.
-    fn pairing(&self, mesh: &str, algorithm: &str, name: &str) -> Option<f64> {
-        let PairingRow {
-            pairing_seconds,
-            paired_percent,
-            unpaired_triangles,
-            augmentation_seconds,
-            total_seconds,
-            ..
-        } = self.pairings.iter().find(|row| row.mesh == mesh && row.algorithm == algorithm)?;
-        match name {
-            "pairing_seconds" => Some(*pairing_seconds),
-            "paired_percent" => Some(*paired_percent),
-            "unpaired_triangles" => Some(*unpaired_triangles),
-            "augmentation_seconds" => Some(*augmentation_seconds),
-            "total_seconds" => Some(*total_seconds),
-            _ => None,
-        }
-    }
-
-    /// Tables 6, 8 and 10; that RS tests no edge twice is not printed there.
-    fn link_tests(&self, mesh: &str, algorithm: &str, name: &str) -> Option<f64> {
-        let row = self.link_tests.iter().find(|row| row.mesh == mesh)?;
-        match (algorithm, name) {
-            ("rs", "link_condition_tests") => Some(row.rs_link_condition_tests),
-            ("schipper", "link_condition_tests") => Some(row.schipper_link_condition_tests),
-            ("brute-force", "link_condition_tests") => Some(row.brute_force_link_condition_tests),
-            ("schipper", "edges_tested_more_than_once") => {
-                Some(row.schipper_edges_tested_more_than_once)
-            }
-            ("brute-force", "edges_tested_more_than_once") => {
-                Some(row.brute_force_edges_tested_more_than_once)
-            }
-            _ => None,
-        }
-    }
-
-    /// Tables 7, 9 and 11, which print no times but their ratios.
+    /// Returns the ratio of times of Tables 7, 9 and 11, which print no times.
     fn ratio_of_times(&self, mesh: &str, expression: &Expression) -> Option<f64> {
-        let row = self.ratios.iter().find(|row| row.mesh == mesh)?;
-        match expression.text() {
-            "schipper.seconds / rs.seconds" => Some(row.schipper_to_rs_seconds),
-            "brute-force.seconds / rs.seconds" => Some(row.brute_force_to_rs_seconds),
-            "schipper.seconds / brute-force.seconds" => Some(row.schipper_to_brute_force_seconds),
-            "brute-force.seconds / schipper.seconds" => {
-                Some(1.0 / row.schipper_to_brute_force_seconds)
-            }
-            _ => None,
+        let [top, bottom] = &expression.factors[..] else { return None };
+        let is_time = |factor: &Factor| factor.number.name == "seconds";
+        if !bottom.divides || !is_time(top) || !is_time(bottom) {
+            return None;
         }
+        let [top, bottom] = [top.job?, bottom.job?].map(|job| job.algorithm());
+        let ratio = |top, bottom| self.get(mesh, &format!("{top}_to_{bottom}_seconds"));
+        ratio(top, bottom).or_else(|| ratio(bottom, top).map(|inverse| 1.0 / inverse))
     }
 }

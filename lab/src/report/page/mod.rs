@@ -1,11 +1,14 @@
-//! The report as one page of HTML: no script, nothing from elsewhere; plots and pictures are inside.
+//! The report as one page of HTML: no script, nothing from elsewhere; plots and pictures are
+//! inside.
 //!
-//! What is said is decided here, how it looks in the templates and the style sheet beside this file.
+//! The content is decided here, its look in the templates and the style sheet beside this file.
 
-mod better;
-mod entries;
-mod facts;
-mod figure;
+mod limits;
+mod lrs_against_ps;
+mod paper_sections;
+mod parts;
+mod picture;
+mod provenance;
 mod table;
 mod verdicts;
 
@@ -13,38 +16,9 @@ use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
 
-use super::compare::Comparison;
-use super::gallery::Shown;
+pub use parts::{Parts, PictureFile};
+
 use super::plots::Plot;
-use super::summary::Summary;
-use super::tables::ReportTable;
-use crate::experiment::Results;
-
-/// A picture with what it shows.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pictured {
-    /// What it shows.
-    pub shown: Shown,
-    /// The file.
-    pub png: Vec<u8>,
-}
-
-/// Everything the page is made of.
-#[derive(Clone, Copy, Debug)]
-pub struct Parts<'a> {
-    /// The records.
-    pub results: &'a Results,
-    /// The records in cells.
-    pub summary: &'a Summary,
-    /// Every table.
-    pub tables: &'a [ReportTable],
-    /// Every verdict.
-    pub comparison: &'a Comparison,
-    /// Every plot that could be made.
-    pub plots: &'a [Plot],
-    /// Every picture that is there.
-    pub pictures: &'a [Pictured],
-}
 
 /// What the template is filled with.
 #[derive(Serialize)]
@@ -52,35 +26,38 @@ struct Page<'a> {
     style: &'static str,
     records: usize,
     warnings: Vec<String>,
-    verdicts: Vec<verdicts::Group<'a>>,
-    better: better::Better<'a>,
-    papers: Vec<entries::PaperPart<'a>>,
+    verdicts: Vec<verdicts::VerdictGroup<'a>>,
+    lrs_against_ps: lrs_against_ps::LrsAgainstPs<'a>,
+    papers: Vec<paper_sections::PaperSection<'a>>,
     other_plots: Vec<&'a Plot>,
-    other_pictures: Vec<figure::Figure>,
-    other_tables: Vec<table::View>,
+    other_pictures: Vec<picture::PictureView>,
+    other_tables: Vec<table::TableView>,
     limits: Vec<String>,
     defects: Vec<String>,
-    machines: Vec<facts::Machine<'a>>,
-    commands: Vec<facts::Commands<'a>>,
+    machines: Vec<provenance::MachineView<'a>>,
+    commands: Vec<provenance::GroupCommands<'a>>,
 }
 
 /// Renders the page; what is missing is said to be missing. The same parts give the same bytes.
 pub fn render(parts: &Parts) -> String {
-    let papers = entries::papers(parts);
+    let mut defects: Vec<String> = parts.defects.iter().map(ToString::to_string).collect();
+    if parts.pictures.is_empty() {
+        defects.push("pictures/: no picture is there".into());
+    }
     let page = Page {
         style: include_str!("style.css"),
         records: parts.results.records.len(),
-        warnings: facts::warnings(parts),
+        warnings: limits::warnings(parts, &defects),
         verdicts: verdicts::groups(parts.comparison),
-        better: better::of(parts),
-        other_plots: entries::other_plots(parts),
-        other_pictures: entries::other_pictures(parts),
-        other_tables: entries::other_tables(parts),
-        papers,
-        limits: facts::limits(parts.summary),
-        defects: facts::defects(parts),
-        machines: facts::machines(parts.results),
-        commands: facts::commands(parts.summary),
+        lrs_against_ps: lrs_against_ps::section(parts),
+        papers: paper_sections::papers(parts),
+        other_plots: paper_sections::other_plots(parts),
+        other_pictures: paper_sections::other_pictures(parts),
+        other_tables: paper_sections::other_tables(parts),
+        limits: limits::limits(parts.summary),
+        defects,
+        machines: provenance::machines(parts.results),
+        commands: provenance::commands(parts.summary),
     };
     let templates = environment();
     let template = templates.get_template("page.html").expect("it was added");

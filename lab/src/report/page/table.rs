@@ -1,132 +1,115 @@
-//! A table as a page shows it: the paper's number under ours, and how they differ.
+//! A table as the page shows it: the paper's number under ours, and how they differ.
 
 use serde::Serialize;
 
-use super::facts::commands_id;
+use super::provenance::commands_id;
+use crate::meshes::MeshKind;
+use crate::report::notes::Note;
 use crate::report::number::significant;
 use crate::report::summary::Summary;
-use crate::report::tables::ReportTable;
+use crate::report::tables::{ReportTable, Row, TableCell, Value};
 
 /// A table.
 #[derive(Clone, Serialize)]
-pub struct View {
-    /// Where links lead.
-    pub id: String,
+pub struct TableView {
+    id: String,
     name: String,
-    title: String,
+    title: &'static str,
     file: &'static str,
     columns: Vec<String>,
-    rows: Vec<Row>,
+    rows: Vec<RowView>,
     notes: Vec<String>,
     commands: Option<String>,
 }
 
 #[derive(Clone, Serialize)]
-struct Row {
+struct RowView {
     /// Whether it is the first of its mesh.
     first: bool,
     name: String,
-    about: String,
-    cells: Vec<Field>,
+    about: &'static str,
+    cells: Vec<CellView>,
 }
 
-#[derive(Clone, Default, Serialize)]
-struct Field {
+#[derive(Clone, Serialize)]
+struct CellView {
     text: String,
     paper: String,
     difference: String,
     class: &'static str,
 }
 
-/// Columns that stand elsewhere: under another, beside the mesh, in the notes, or in the file alone.
-fn is_folded(name: &str) -> bool {
-    let folded = ["mesh", "mesh_kind", "agrees", "extrapolated", "tarjan_extrapolated"];
-    let within = ["paper_", "ratio_"].iter().any(|prefix| name.starts_with(prefix));
-    within || folded.contains(&name) || name.ends_with("_quartile")
-}
-
-impl View {
-    /// A table of `summary`, with the number of its paper or without.
-    pub fn of(table: &ReportTable, summary: &Summary) -> Self {
-        let shown: Vec<usize> =
-            (0..table.header.len()).filter(|&c| !is_folded(&table.header[c])).collect();
-        let is_comparable = !table.notes.iter().any(|note| note.starts_with("Scale "));
-        let mut rows: Vec<Row> = Vec::new();
-        let mut before = "";
-        for fields in &table.rows {
-            let mut row = row(table, &shown, fields, is_comparable);
-            row.first = fields[0] != before;
-            before = &fields[0];
-            rows.push(row);
-        }
-        let name = if table.number.is_empty() {
-            "Table".into()
-        } else {
-            format!("Table {}", table.number)
+impl TableView {
+    /// Prepares a table of `summary`.
+    pub fn new(table: &ReportTable, summary: &Summary) -> Self {
+        let name = table.paper.map_or("Table".into(), |paper| format!("Table {}", paper.number));
+        let is_comparable = !table.notes.iter().any(|note| matches!(note, Note::Scale(_)));
+        let shown = table.columns.iter().filter(|column| column.is_shown);
+        let headings = shown.map(|column| column.heading.clone());
+        let before = std::iter::once(None).chain(table.rows.iter().map(|row| Some(&row.mesh)));
+        let row = |(row, before): (&Row, Option<&String>)| RowView {
+            first: before != Some(&row.mesh),
+            name: format!("{}{}", row.mesh, row.mesh_kind.map_or("", MeshKind::dagger)),
+            about: row.mesh_kind.map_or("", MeshKind::id),
+            cells: table
+                .columns
+                .iter()
+                .zip(&row.cells)
+                .filter(|(column, _)| column.is_shown)
+                .map(|(_, cell)| CellView::new(cell, is_comparable))
+                .collect(),
         };
         Self {
-            id: id_of(table),
+            id: id_of(table.file),
             name,
-            title: table.title.clone(),
+            title: table.title,
             file: table.file,
-            columns: std::iter::once("mesh".to_owned())
-                .chain(shown.iter().map(|&c| heading(&table.header[c])))
-                .collect(),
-            rows,
-            notes: notes(table),
-            commands: commands_id(summary, table.number, table.file),
+            columns: std::iter::once("mesh".to_owned()).chain(headings).collect(),
+            rows: table.rows.iter().zip(before).map(row).collect(),
+            notes: table.notes.iter().map(Note::sentence).chain(errata(table)).collect(),
+            commands: match (table.group, table.paper) {
+                (Some((paper, group)), _) => commands_id(summary, paper, group),
+                (None, Some(_)) => None,
+                (None, None) => Some("commands".into()),
+            },
         }
     }
-
-    /// Whether there is no row.
-    pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
 }
 
-/// Where links to a table lead: `table-4-4-ii` for 4.4(ii).
-pub fn id_of(table: &ReportTable) -> String {
-    let name = table.file.trim_end_matches(".csv").trim_start_matches("table_");
-    format!("table-{}", name.replace('_', "-"))
+/// Returns where links to a table lead: `table-4-4-ii` for `table_4_4_ii.csv`.
+pub fn id_of(file: &str) -> String {
+    file.trim_end_matches(".csv").replace('_', "-")
 }
 
-fn row(table: &ReportTable, shown: &[usize], fields: &[String], is_comparable: bool) -> Row {
-    let value = |name: &str| {
-        let at = table.header.iter().position(|other| other == name);
-        at.map_or("", |at| fields[at].as_str())
-    };
-    let kind = value("mesh_kind");
-    let mark = if kind == "stand-in" { "†" } else { "" };
-    let star = ["extrapolated", "tarjan_extrapolated"].iter().any(|name| value(name) == "yes");
-    let cells = shown.iter().map(|&c| {
-        let name = &table.header[c];
-        let paper = value(&format!("paper_{name}"));
-        let times = name.contains("augmentation_seconds") || name.contains("total_seconds");
+/// Returns a sentence on each row of the paper that contradicts itself.
+fn errata(table: &ReportTable) -> impl Iterator<Item = String> {
+    table.rows.iter().filter(|row| !row.errata.is_empty()).map(|row| {
+        let algorithm = row.cells.iter().find(|cell| matches!(cell.ours, Value::Algorithm(_)));
+        let label = algorithm.map_or(String::new(), |cell| format!(" {}", cell.ours.display()));
+        format!("The paper's row {}{label}: {}", row.mesh, row.errata)
+    })
+}
+
+impl CellView {
+    fn new(cell: &TableCell, is_comparable: bool) -> Self {
+        let text = match cell.ours.display() {
+            text if text.is_empty() => "–".into(),
+            text if cell.is_extrapolated => format!("{text} *"),
+            text => text,
+        };
         let (difference, class) =
-            if is_comparable { difference(&fields[c], paper) } else { ("".into(), "") };
-        let text = display(name, &fields[c]);
-        let text = if star && times && !text.is_empty() { format!("{text} *") } else { text };
-        Field {
-            text: if text.is_empty() { "–".into() } else { text },
-            paper: display(name, paper),
-            difference,
-            class,
-        }
-    });
-    Row {
-        first: false,
-        name: format!("{}{mark}", fields[0]),
-        about: kind.into(),
-        cells: cells.collect(),
+            if is_comparable { difference(cell) } else { (String::new(), "") };
+        Self { text, paper: cell.paper.display(), difference, class }
     }
 }
 
-/// How ours differs from the paper's, in words that need no colour.
-fn difference(ours: &str, paper: &str) -> (String, &'static str) {
-    let (Ok(ours), Ok(paper)) = (ours.parse::<f64>(), paper.parse::<f64>()) else {
+/// Returns how ours differs from the paper's, in words that need no colour.
+fn difference(cell: &TableCell) -> (String, &'static str) {
+    let (Some(ours), Some(paper)) = (cell.ours.number(), cell.paper.number()) else {
         return (String::new(), "");
     };
-    if ours == paper {
+    // Equal to the digits printed.
+    if cell.ours.field() == cell.paper.field() {
         return ("= equal".into(), "same");
     }
     if paper == 0.0 || ours == 0.0 {
@@ -138,85 +121,4 @@ fn difference(ours: &str, paper: &str) -> (String, &'static str) {
     }
     let (arrow, class) = if ratio > 1.0 { ("▲", "more") } else { ("▼", "less") };
     (format!("{arrow} × {}", significant(ratio)), class)
-}
-
-/// A number in the digits that a reader needs; the file has all of them.
-fn display(name: &str, text: &str) -> String {
-    match text.parse::<f64>() {
-        Ok(value) if name.contains("seconds") => significant(value),
-        Ok(_) if name == "algorithm" => text.into(),
-        Ok(_) => grouped(text),
-        Err(_) if name == "algorithm" => label(text),
-        Err(_) => text.into(),
-    }
-}
-
-/// What the papers call an algorithm.
-fn label(id: &str) -> String {
-    match id {
-        "sg" | "ps" | "ds" | "lrs" | "gw" | "tq" | "rs" => id.to_uppercase(),
-        other => other.into(),
-    }
-}
-
-/// Commas between thousands.
-fn grouped(number: &str) -> String {
-    let (whole, rest) = number.split_at(number.find(['.', 'e']).unwrap_or(number.len()));
-    let digits = whole.trim_start_matches('-');
-    let mut grouped = String::from(&whole[..whole.len() - digits.len()]);
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            grouped.push(',');
-        }
-        grouped.push(digit);
-    }
-    grouped + rest
-}
-
-/// A column's name in words, with the paper's letter where it has one.
-fn heading(name: &str) -> String {
-    let known = match name {
-        "pairing_seconds" => "(a) pairing, s",
-        "paired_percent" => "(b) paired, %",
-        "unpaired_triangles" => "(c) unpaired",
-        "augmentation_seconds" => "(d) augmentation, s",
-        "total_seconds" => "(e) total, s",
-        "total_seconds_median" => "(e) median, s",
-        "n" => "runs",
-        "schipper_to_rs_tests" => "ℓ_s / ℓ_rs",
-        "brute_force_to_rs_tests" => "ℓ_bf / ℓ_rs",
-        "schipper_to_brute_force_tests" => "ℓ_s / ℓ_bf",
-        "schipper_to_rs_seconds" => "t_s / t_rs",
-        "brute_force_to_rs_seconds" => "t_bf / t_rs",
-        "schipper_to_brute_force_seconds" => "t_s / t_bf",
-        _ => return words(name),
-    };
-    known.into()
-}
-
-fn words(name: &str) -> String {
-    let counts = [("rs", "rs"), ("schipper", "s"), ("brute_force", "bf")];
-    for (prefix, letter) in counts {
-        match name.strip_prefix(prefix).unwrap_or_default() {
-            "_link_condition_tests" => return format!("ℓ_{letter}"),
-            "_edges_tested_more_than_once" => return format!("ε_{letter}"),
-            "_outcomes" => return format!("{} runs", letter.to_uppercase()),
-            _ => {}
-        }
-    }
-    name.replace('_', " ")
-}
-
-/// The table's notes, and what is wrong with the paper's rows.
-fn notes(table: &ReportTable) -> Vec<String> {
-    let mut notes = table.notes.clone();
-    let Some(at) = table.header.iter().position(|name| name == "paper_errata") else {
-        return notes;
-    };
-    let algorithm = table.header.iter().position(|name| name == "algorithm");
-    for row in table.rows.iter().filter(|row| !row[at].is_empty()) {
-        let of = algorithm.map_or(String::new(), |at| format!(" {}", label(&row[at])));
-        notes.push(format!("The paper's row {}{of}: {}", row[0], row[at]));
-    }
-    notes
 }

@@ -1,4 +1,4 @@
-//! The verdicts, by what they say.
+//! The claims, by their verdicts.
 
 use serde::Serialize;
 
@@ -6,20 +6,20 @@ use crate::report::compare::{Comparison, Judged, Verdict};
 
 /// The claims of one verdict.
 #[derive(Serialize)]
-pub struct Group<'a> {
+pub struct VerdictGroup<'a> {
     name: &'static str,
-    title: String,
+    title: &'static str,
     class: String,
     mark: &'static str,
     meaning: &'static str,
     /// Whether its claims are unfolded: those that can be judged.
     open: bool,
-    claims: Vec<Claim<'a>>,
+    claims: Vec<ClaimView<'a>>,
 }
 
 /// A claim.
 #[derive(Serialize)]
-struct Claim<'a> {
+struct ClaimView<'a> {
     id: &'a str,
     statement: &'a str,
     source: &'a str,
@@ -30,37 +30,48 @@ struct Claim<'a> {
     detail: &'a str,
 }
 
-/// The groups, in the order in which verdicts are counted.
-pub fn groups(comparison: &Comparison) -> Vec<Group<'_>> {
+/// Returns the groups, in the order in which verdicts are counted.
+pub fn groups(comparison: &Comparison) -> Vec<VerdictGroup<'_>> {
     Verdict::ALL.map(|verdict| group(comparison, verdict)).into()
 }
 
-fn group(comparison: &Comparison, verdict: Verdict) -> Group<'_> {
-    let (mark, meaning) = match verdict {
-        Verdict::Reproduced => ("✓", "The claim holds of our records."),
-        Verdict::Differs => ("✗", "The claim does not hold of our records."),
-        Verdict::NotComparable => ("–", "Our records cannot tell; the reason is given."),
-        Verdict::PaperInconsistent => ("!", "The paper's own numbers contradict the claim."),
+fn group(comparison: &Comparison, verdict: Verdict) -> VerdictGroup<'_> {
+    let (title, mark, meaning) = match verdict {
+        Verdict::Reproduced => ("Reproduced", "✓", "The claim holds of our records."),
+        Verdict::Differs => ("Differs", "✗", "The claim does not hold of our records."),
+        Verdict::NotComparable => {
+            ("Not comparable", "–", "Our records do not decide it; the reason is given.")
+        }
+        Verdict::PaperInconsistent => {
+            ("Paper inconsistent", "!", "The paper's own numbers contradict the claim.")
+        }
     };
     let own = comparison.verdicts.iter().filter(|judged| judged.verdict == verdict);
     let name = verdict.name();
-    let title = format!("{}{}", name[..1].to_uppercase(), &name[1..]);
     let class = name.replace(' ', "-");
     let open = [Verdict::Reproduced, Verdict::Differs].contains(&verdict);
-    Group { name, title, class, mark, meaning, open, claims: own.map(claim).collect() }
+    VerdictGroup {
+        name,
+        title,
+        class,
+        mark,
+        meaning,
+        open,
+        claims: own.map(ClaimView::from).collect(),
+    }
 }
 
-fn claim(judged: &Judged) -> Claim<'_> {
-    // The reason comes first, then the number on each mesh.
-    let (why, detail) = judged.detail.split_once(". ").unwrap_or((&judged.detail, ""));
-    Claim {
-        id: &judged.id,
-        statement: &judged.statement,
-        source: &judged.source,
-        kind: judged.kind.name(),
-        ours: &judged.ours,
-        paper: &judged.paper,
-        why,
-        detail,
+impl<'a> From<&'a Judged> for ClaimView<'a> {
+    fn from(judged: &'a Judged) -> Self {
+        Self {
+            id: &judged.id,
+            statement: &judged.statement,
+            source: &judged.source,
+            kind: judged.kind.name(),
+            ours: &judged.ours,
+            paper: &judged.paper,
+            why: &judged.reason,
+            detail: &judged.by_mesh,
+        }
     }
 }

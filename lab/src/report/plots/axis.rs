@@ -4,12 +4,13 @@ use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-/// How values are spread along an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Spread of values along an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Spread {
     /// Equal steps, equal differences.
     Linear,
     /// Equal steps, equal ratios.
+    #[default]
     Logarithmic,
     /// One row for each of so many names, the first on top.
     Rows,
@@ -25,16 +26,16 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// An axis that shows `values`, and 0 if it is linear; those without a logarithm do not count if
-    /// it is logarithmic.
-    pub fn of(spread: Spread, values: impl Iterator<Item = f64>) -> Self {
+    /// Makes an axis that shows `values`, and 0 if it is linear. A logarithmic one leaves out
+    /// values without a logarithm.
+    pub fn new(spread: Spread, values: impl Iterator<Item = f64>) -> Self {
         match spread {
             Spread::Linear => Self::linear(values),
             _ => Self::logarithmic(values),
         }
     }
 
-    /// One row a name.
+    /// Makes an axis of one row a name.
     pub fn rows(names: &[String]) -> Self {
         let tick = |(i, name): (usize, &String)| (-(i as f64), name.clone());
         let ticks = names.iter().enumerate().map(tick).collect();
@@ -71,7 +72,7 @@ impl Axis {
         Self { spread: Spread::Logarithmic, low, high, ticks }
     }
 
-    /// Where a value lies; `None` if it has no logarithm and needs one.
+    /// Returns the place of a value; `None` if it has no logarithm and needs one.
     pub fn place(&self, value: f64) -> Option<f64> {
         match self.spread {
             Spread::Linear => Some(value),
@@ -80,13 +81,13 @@ impl Axis {
         }
     }
 
-    /// Least and greatest place.
+    /// Returns the least and greatest place.
     pub fn bounds(&self) -> (f64, f64) {
         (self.low, self.high)
     }
 }
 
-/// About five steps to `most`, each 1, 2 or 5 times a power of 10.
+/// Returns 1, 2 or 5 times a power of 10, about a fifth of `most`.
 fn step_of(most: f64) -> f64 {
     let mut step = 1.0;
     while step * 10.0 > most {
@@ -99,7 +100,7 @@ fn step_of(most: f64) -> f64 {
     [2.0, 5.0, 10.0, 20.0].into_iter().find(|n| most / (step * n) <= 6.0).unwrap_or(20.0) * step
 }
 
-/// A number on an axis, in few characters: 0.2, 15, 20 k, 3.5 M.
+/// Writes a number on an axis in few characters: 0.2, 15, 20 k, 3.5 M.
 pub fn short(value: f64) -> String {
     let (scaled, unit) = match value {
         v if v >= 1e6 => (v / 1e6, " M"),
@@ -110,7 +111,7 @@ pub fn short(value: f64) -> String {
     format!("{}{unit}", digits.trim_end_matches('0').trim_end_matches('.'))
 }
 
-/// `digit` times 10 to the power of `decade`.
+/// Writes `digit` times 10 to the power of `decade`.
 fn power(digit: u32, decade: i32) -> String {
     if decade < 0 {
         format!("0.{}{digit}", "0".repeat(decade.unsigned_abs() as usize - 1))
@@ -158,20 +159,20 @@ mod tests {
 
     #[test]
     fn ticks_are_round_numbers_inside_the_axis() {
-        let axis = Axis::of(Spread::Logarithmic, [1_696.0, 4_222_296.0].into_iter());
+        let axis = Axis::new(Spread::Logarithmic, [1_696.0, 4_222_296.0].into_iter());
         assert_eq!(labels(&axis), ["10 k", "100 k", "1 M"]);
-        let axis = Axis::of(Spread::Logarithmic, [0.004, 0.03].into_iter());
+        let axis = Axis::new(Spread::Logarithmic, [0.004, 0.03].into_iter());
         assert_eq!(labels(&axis), ["0.005", "0.01", "0.02"]);
-        let axis = Axis::of(Spread::Linear, [10.0, 3500.0].into_iter());
+        let axis = Axis::new(Spread::Linear, [10.0, 3500.0].into_iter());
         assert_eq!(labels(&axis), ["0", "1000", "2000", "3000", "4000"]);
-        let axis = Axis::of(Spread::Linear, [0.31].into_iter());
+        let axis = Axis::new(Spread::Linear, [0.31].into_iter());
         assert_eq!(labels(&axis), ["0", "0.1", "0.2", "0.3", "0.4"]);
     }
 
     #[test]
     fn axes_of_nothing_are_axes() {
         for spread in [Spread::Linear, Spread::Logarithmic] {
-            let axis = Axis::of(spread, [0.0].into_iter());
+            let axis = Axis::new(spread, [0.0].into_iter());
             let (low, high) = axis.bounds();
             assert!(low < high && !axis.ticks.is_empty(), "{axis:?}");
         }
@@ -179,7 +180,7 @@ mod tests {
 
     #[test]
     fn places_keep_the_order_and_rows_go_down() {
-        let axis = Axis::of(Spread::Logarithmic, [1.0, 1000.0].into_iter());
+        let axis = Axis::new(Spread::Logarithmic, [1.0, 1000.0].into_iter());
         assert_eq!((axis.place(100.0), axis.place(0.0)), (Some(2.0), None));
         let rows = Axis::rows(&["a".into(), "b".into()]);
         assert!(rows.map(&rows.place(0.0).unwrap(), (0, 100)) > rows.map(&-1.0, (0, 100)));

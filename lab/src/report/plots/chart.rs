@@ -1,22 +1,47 @@
-//! What a plot shows, before it is drawn: axes, series of points, bars.
+//! Content of a plot before it is drawn: words, axes, series of points, bars.
 
 use super::axis::{Axis, Spread};
-use crate::report::fit::PowerLaw;
+use crate::algorithms::Look;
+use crate::csv_text;
+use crate::meshes::MeshKind;
+use crate::paper::Table;
+use crate::report::notes::Note;
 use crate::report::number::significant;
+use crate::report::power_law::PowerLaw;
 use crate::report::summary::Cell;
 
+/// What of the papers a plot belongs to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Counterpart {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// The figure of that number in the paper on irreducible triangulations.
+    Figure(u8),
+    /// A table.
+    Table(Table),
+    /// The question whether LRS beats PS.
+    LrsAgainstPs,
+}
+
 /// A plot before it is drawn.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// Over the plot; also what it is called.
+    /// What it belongs to.
+    pub counterpart: Counterpart,
+    /// Name of its files, without the ending.
+    pub stem: String,
+    /// How to read it.
+    pub caption: String,
+    /// Title over the plot.
     pub title: String,
     /// Quantity and unit along the bottom.
     pub x_name: String,
     /// Quantity and unit along the side; empty for rows.
     pub y_name: String,
-    /// How x is spread.
+    /// Spread of x.
     pub x_spread: Spread,
-    /// How y is spread.
+    /// Spread of y.
     pub y_spread: Spread,
     /// Names of the rows if y is spread in rows.
     pub rows: Vec<String>,
@@ -25,7 +50,7 @@ pub struct Chart {
     /// Bars, in rows.
     pub bars: Vec<Bar>,
     /// A value of x at which a line is drawn, and what lies on either side of it.
-    pub line: Option<(f64, [String; 2])>,
+    pub line: Option<(f64, [&'static str; 2])>,
     /// What has to be known to read the plot; written below it.
     pub notes: Vec<String>,
 }
@@ -35,9 +60,11 @@ pub struct Chart {
 pub struct Series {
     /// Written beside it.
     pub name: String,
-    /// How it looks.
+    /// Colour and mark.
     pub look: Look,
-    /// In the order in which they are joined.
+    /// Whether the numbers are the paper's.
+    pub is_printed: bool,
+    /// Points, in the order in which they are joined.
     pub points: Vec<Point>,
     /// Whether lines join them.
     pub joined: bool,
@@ -50,8 +77,8 @@ pub struct Series {
 pub struct Point {
     /// Name of the mesh.
     pub mesh: String,
-    /// `real`, `generated`, `simplified` or `stand-in`.
-    pub mesh_kind: String,
+    /// Where the mesh comes from.
+    pub mesh_kind: Option<MeshKind>,
     /// Along the bottom.
     pub x: f64,
     /// Along the side; a row's number, from 0.
@@ -69,9 +96,9 @@ pub struct Bar {
     pub row: usize,
     /// Name of the mesh.
     pub mesh: String,
-    /// `real`, `generated`, `simplified` or `stand-in`.
-    pub mesh_kind: String,
-    /// What is shown, as in tables.
+    /// Where the mesh comes from.
+    pub mesh_kind: Option<MeshKind>,
+    /// The algorithm, as in tables.
     pub label: String,
     /// Seconds of the pairing, and of pairing and augmentation; none if no run ended well.
     pub parts: Option<[f64; 2]>,
@@ -83,133 +110,75 @@ pub struct Bar {
     pub paper: Option<f64>,
 }
 
-/// Mark of a point; each is told from the others without its colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
-    /// A disc.
-    Circle,
-    /// A square on its side.
-    Square,
-    /// A triangle on its side.
-    Up,
-    /// A triangle on its tip.
-    Down,
-    /// A square on its tip.
-    Diamond,
-    /// Two strokes.
-    Cross,
-}
-
-/// Colour and mark.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Look {
-    /// Of Okabe and Ito's palette, which no common colour blindness confounds.
-    pub colour: [u8; 3],
-    /// Of every point.
-    pub mark: Mark,
-}
-
-/// Okabe and Ito's palette (*Color Universal Design*, 2008), without its yellow, which is hardly
-/// seen on white.
-pub const ORANGE: [u8; 3] = [230, 159, 0];
-/// Of the same palette.
-pub const SKY: [u8; 3] = [86, 180, 233];
-/// Of the same palette.
-pub const GREEN: [u8; 3] = [0, 158, 115];
-/// Of the same palette.
-pub const BLUE: [u8; 3] = [0, 114, 178];
-/// Of the same palette.
-pub const VERMILION: [u8; 3] = [213, 94, 0];
-/// Of the same palette.
-pub const PURPLE: [u8; 3] = [204, 121, 167];
-/// For the papers' own numbers.
-pub const GREY: [u8; 3] = [110, 110, 110];
-
-/// How an algorithm looks in every plot.
-pub fn look_of(algorithm: &str, variant: Option<&str>) -> Look {
-    let (colour, mark) = match (algorithm, variant) {
-        ("sg", _) => (ORANGE, Mark::Circle),
-        ("ps" | "rs", _) => (BLUE, Mark::Square),
-        ("ds" | "brute-force", _) => (GREEN, Mark::Up),
-        ("lrs", Some("few-flips")) => (PURPLE, Mark::Cross),
-        ("lrs" | "schipper", _) => (VERMILION, Mark::Diamond),
-        ("gw", _) => (SKY, Mark::Down),
-        _ => (GREY, Mark::Circle),
-    };
-    Look { colour, mark }
-}
-
 impl Chart {
-    /// The axes that show everything.
+    /// Returns the axes that show everything.
     pub fn axes(&self) -> (Axis, Axis) {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let of_bars =
             self.bars.iter().flat_map(|bar| bar.parts.into_iter().flatten().chain(bar.paper));
         // What lies on either side of the line needs room to be named.
         let line = self.line.iter().flat_map(|line| [0.4 * line.0, 2.5 * line.0]);
-        let x = Axis::of(self.x_spread, points().map(|point| point.x).chain(of_bars).chain(line));
+        let x = Axis::new(self.x_spread, points().map(|point| point.x).chain(of_bars).chain(line));
         if self.y_spread == Spread::Rows {
             return (x, Axis::rows(&self.rows));
         }
         let ranges = points().filter_map(|point| point.range).flat_map(|(low, high)| [low, high]);
-        (x, Axis::of(self.y_spread, points().map(|point| point.y).chain(ranges)))
+        (x, Axis::new(self.y_spread, points().map(|point| point.y).chain(ranges)))
     }
 
-    /// Whether there is nothing to be drawn.
+    /// Returns whether there is nothing to be drawn.
     pub fn is_empty(&self) -> bool {
         self.series.iter().all(|series| series.points.is_empty()) && self.bars.is_empty()
     }
 
-    /// The numbers shown, as comma-separated values.
+    /// Returns the numbers shown, as comma-separated values.
     pub fn csv(&self) -> String {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let write = "memory takes everything";
-        if self.bars.is_empty() {
-            writer.write_record(self.point_header()).expect(write);
-            for series in &self.series {
-                for point in &series.points {
-                    writer.write_record(self.point_row(series, point)).expect(write);
-                }
-            }
-        } else {
-            writer.write_record(BAR_HEADER).expect(write);
-            for bar in &self.bars {
-                writer.write_record(bar_row(bar)).expect(write);
-            }
+        if !self.bars.is_empty() {
+            let header = BAR_HEADER.map(str::to_owned);
+            return csv_text::of_texts(
+                std::iter::once(header).chain(self.bars.iter().map(bar_row)),
+            );
         }
-        String::from_utf8(writer.into_inner().expect(write)).expect("made of strings")
+        let rows = self
+            .series
+            .iter()
+            .flat_map(|series| series.points.iter().map(|point| self.point_row(series, point)));
+        csv_text::of_texts(std::iter::once(self.point_header()).chain(rows))
     }
 
-    fn point_header(&self) -> Vec<&str> {
+    fn point_header(&self) -> Vec<String> {
         let y: &[&str] = if self.y_spread == Spread::Rows {
             &["row"]
         } else {
             &[&self.y_name, "minimum", "maximum", "exponent", "exponent_low", "exponent_high"]
         };
-        let mut names = vec!["series", "mesh", "mesh_kind", "extrapolated", self.x_name.as_str()];
-        names.extend(y);
-        names
+        let names = ["series", "mesh", "mesh_kind", "extrapolated", self.x_name.as_str()];
+        names.iter().chain(y).map(|&name| name.to_owned()).collect()
     }
 
     fn point_row(&self, series: &Series, point: &Point) -> Vec<String> {
-        let yes = |yes: bool| if yes { "yes".to_owned() } else { String::new() };
-        let or_empty = |value: Option<f64>| value.map(significant).unwrap_or_default();
-        let mut row = vec![series.name.clone(), point.mesh.clone(), point.mesh_kind.clone()];
-        row.extend([yes(point.extrapolated), format!("{}", point.x)]);
+        let kind =
+            if series.is_printed { "printed" } else { point.mesh_kind.map_or("", MeshKind::id) };
+        let mut row = vec![series.name.clone(), point.mesh.clone(), kind.into()];
+        row.extend([yes(point.extrapolated), point.x.to_string()]);
         if self.y_spread == Spread::Rows {
             row.push(self.rows.get(point.y as usize).cloned().unwrap_or_default());
             return row;
         }
-        row.push(format!("{}", point.y));
-        let range = point
-            .range
-            .map_or(["".into(), "".into()], |(low, high)| [format!("{low}"), format!("{high}")]);
-        row.extend(range);
-        let interval = series.fit.and_then(|fit| fit.interval);
-        row.push(or_empty(series.fit.map(|fit| fit.exponent)));
-        row.extend([or_empty(interval.map(|i| i.0)), or_empty(interval.map(|i| i.1))]);
+        row.push(point.y.to_string());
+        row.extend(optional(point.range, |value| value.to_string()));
+        row.push(series.fit.map(|fit| significant(fit.exponent)).unwrap_or_default());
+        row.extend(optional(series.fit.and_then(|fit| fit.interval), significant));
         row
     }
+}
+
+fn yes(yes: bool) -> String {
+    if yes { "yes".into() } else { String::new() }
+}
+
+fn optional(pair: Option<(f64, f64)>, write: fn(f64) -> String) -> [String; 2] {
+    pair.map_or_else(Default::default, |(low, high)| [write(low), write(high)])
 }
 
 const BAR_HEADER: [&str; 8] = [
@@ -224,36 +193,20 @@ const BAR_HEADER: [&str; 8] = [
 ];
 
 fn bar_row(bar: &Bar) -> [String; 8] {
-    let or_empty = |value: Option<f64>| value.map(|value| format!("{value}")).unwrap_or_default();
+    let or_empty = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
     [
         bar.mesh.clone(),
-        bar.mesh_kind.clone(),
+        bar.mesh_kind.map_or("", MeshKind::id).into(),
         bar.label.clone(),
         or_empty(bar.parts.map(|parts| parts[0])),
         or_empty(bar.parts.map(|parts| parts[1])),
-        if bar.extrapolated { "yes".into() } else { String::new() },
+        yes(bar.extrapolated),
         or_empty(bar.paper),
         bar.text.clone(),
     ]
 }
 
-/// What must be known of these cells to read a plot of them; short, for it stands in the plot.
-pub fn notes<'a>(cells: impl Iterator<Item = &'a Cell> + Clone) -> Vec<String> {
-    let any = |test: fn(&Cell) -> bool| cells.clone().any(test);
-    let mut notes = Vec::new();
-    for scale in ["small", "demo"] {
-        if cells.clone().any(|cell| cell.scale == scale) {
-            notes.push(format!("scale {scale}: meshes smaller than the paper's of these names"));
-        }
-    }
-    let told = [
-        (
-            any(Cell::is_stand_in),
-            "hollow or hatched, † : a stand-in for the paper's scan, of other shape",
-        ),
-        (any(Cell::is_extrapolated), "* : extrapolated from a part of the augmenting paths"),
-        (any(Cell::is_parallel), "runs went on side by side: times are not ranked"),
-    ];
-    notes.extend(told.iter().filter(|told| told.0).map(|told| told.1.to_owned()));
-    notes
+/// Returns what must be known of these cells to read a plot of them.
+pub fn legends<'a>(cells: impl Iterator<Item = &'a Cell> + Clone) -> Vec<String> {
+    Note::on(cells).iter().filter_map(Note::legend).collect()
 }

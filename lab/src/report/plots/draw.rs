@@ -5,9 +5,11 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::axis::{Axis, Spread};
-use super::chart::{BLUE, Bar, Chart, GREY, Look, Mark, ORANGE, Point, Series};
-use super::sheet::{Drawn, GRID, INK, PAPER, Sheet, colour};
-use crate::report::fit::PowerLaw;
+use super::canvas::{Canvas, Drawn, GRID, INK, PAPER, colour};
+use super::chart::{Bar, Chart, Point, Series};
+use crate::algorithms::{BLUE, GREY, Look, Mark, ORANGE};
+use crate::meshes::MeshKind;
+use crate::report::power_law::PowerLaw;
 
 /// Units from side to side.
 pub const WIDTH: u32 = 640;
@@ -29,7 +31,7 @@ const HEAD: u32 = 62;
 /// Units between the axes and the notes.
 const FOOT: u32 = 54;
 
-/// Where values are on the sheet.
+/// Where values are on the canvas.
 type Places<'a, DB> = ChartContext<'a, DB, Cartesian2d<Axis, Axis>>;
 
 /// Units from top to bottom.
@@ -38,34 +40,34 @@ pub fn height(chart: &Chart) -> u32 {
     HEAD + inside + FOOT + NOTE * chart.notes.len() as u32 + 6
 }
 
-/// Draws a chart on a sheet of [`WIDTH`] × [`height`] units of `scale` pixels.
+/// Draws a chart on a canvas of [`WIDTH`] × [`height`] units of `scale` pixels.
 pub fn draw<DB: DrawingBackend>(
     chart: &Chart,
     area: &DrawingArea<DB, Shift>,
     scale: i32,
 ) -> Drawn<DB> {
-    let sheet = Sheet { area, scale };
+    let canvas = Canvas { area, scale };
     area.fill(&PAPER)?;
-    sheet.text(&chart.title, (8 * scale, 15 * scale), TITLE, HPos::Left)?;
-    let places = axes(chart, &sheet)?;
-    if let Some((at, sides)) = &chart.line {
-        draw_line(&sheet, &places, *at, sides)?;
+    canvas.text(&chart.title, (8 * scale, 15 * scale), TITLE, HPos::Left)?;
+    let places = axes(chart, &canvas)?;
+    if let Some((at, sides)) = chart.line {
+        draw_line(&canvas, &places, at, sides)?;
     }
     for bar in &chart.bars {
-        draw_bar(&sheet, &places, bar)?;
+        draw_bar(&canvas, &places, bar)?;
     }
     if chart.y_spread == Spread::Rows {
-        draw_key(&sheet, chart)?;
+        draw_key(&canvas, chart)?;
     } else {
-        draw_names(&sheet, &places, chart)?;
+        draw_names(&canvas, &places, chart)?;
     }
     for series in &chart.series {
-        draw_series(&sheet, &places, series)?;
+        draw_series(&canvas, &places, series)?;
     }
     let bottom = height(chart) as i32 - 6;
     for (i, note) in chart.notes.iter().rev().enumerate() {
         let y = bottom - (NOTE as i32) * i as i32 - NOTE as i32 / 2;
-        sheet.text(note, (10 * scale, y * scale), SMALL, HPos::Left)?;
+        canvas.text(note, (10 * scale, y * scale), SMALL, HPos::Left)?;
     }
     Ok(())
 }
@@ -73,9 +75,9 @@ pub fn draw<DB: DrawingBackend>(
 /// Draws axes and grid.
 fn axes<'a, DB: DrawingBackend>(
     chart: &Chart,
-    sheet: &Sheet<'a, DB>,
+    canvas: &Canvas<'a, DB>,
 ) -> Result<Places<'a, DB>, DrawingAreaErrorKind<DB::ErrorType>> {
-    let (units, rows) = (sheet.scale as u32, !chart.rows.is_empty());
+    let (units, rows) = (canvas.scale as u32, !chart.rows.is_empty());
     let right = if !chart.bars.is_empty() {
         84
     } else if rows {
@@ -83,9 +85,9 @@ fn axes<'a, DB: DrawingBackend>(
     } else {
         132
     };
-    let names = chart.rows.iter().map(|name| sheet.width(name, TEXT)).max().unwrap_or(0) as u32;
+    let names = chart.rows.iter().map(|name| canvas.width(name, TEXT)).max().unwrap_or(0) as u32;
     let (x, y) = chart.axes();
-    let mut places = ChartBuilder::on(sheet.area)
+    let mut places = ChartBuilder::on(canvas.area)
         .margin_top(HEAD * units)
         .margin_bottom((6 + NOTE * chart.notes.len() as u32) * units)
         .margin_left(8 * units)
@@ -102,20 +104,20 @@ fn axes<'a, DB: DrawingBackend>(
         .light_line_style(TRANSPARENT)
         .bold_line_style(ShapeStyle { color: GRID.to_rgba(), filled: false, stroke_width: units })
         .axis_style(ShapeStyle { color: INK.to_rgba(), filled: false, stroke_width: units })
-        .label_style(sheet.style(if rows { TEXT - 1 } else { TEXT }))
-        .axis_desc_style(sheet.style(TEXT))
+        .label_style(canvas.style(if rows { TEXT - 1 } else { TEXT }))
+        .axis_desc_style(canvas.style(TEXT))
         .x_labels(40)
         .y_labels(400)
         .x_desc(chart.x_name.as_str())
         .draw()?;
     if !chart.y_name.is_empty() {
-        let at = (8 * sheet.scale, (HEAD as i32 - 18) * sheet.scale);
-        sheet.text(&chart.y_name, at, TEXT, HPos::Left)?;
+        let at = (8 * canvas.scale, (HEAD as i32 - 18) * canvas.scale);
+        canvas.text(&chart.y_name, at, TEXT, HPos::Left)?;
     }
     Ok(places)
 }
 
-/// The pixel of a point, if the axes have a place for it.
+/// Returns the pixel of a point, if the axes have a place for it.
 fn pixel<DB: DrawingBackend>(places: &Places<DB>, x: f64, y: f64) -> Option<(i32, i32)> {
     let axes = places.as_coord_spec();
     let place = (axes.x_spec().place(x)?, axes.y_spec().place(y)?);
@@ -124,101 +126,101 @@ fn pixel<DB: DrawingBackend>(places: &Places<DB>, x: f64, y: f64) -> Option<(i32
 
 /// Draws the line at a value of x, with what lies on either side of it.
 fn draw_line<DB: DrawingBackend>(
-    sheet: &Sheet<DB>,
+    canvas: &Canvas<DB>,
     places: &Places<DB>,
     at: f64,
-    sides: &[String; 2],
+    sides: [&str; 2],
 ) -> Drawn<DB> {
     let (low, high) = places.as_coord_spec().y_spec().bounds();
     let Some(x) = places.as_coord_spec().x_spec().place(at) else { return Ok(()) };
     let ends = [low, high].map(|y| places.backend_coord(&(x, y)));
-    sheet.line(ends.into(), INK, 20)?;
-    let (x, y, gap) = (ends[1].0, ends[1].1 - 9 * sheet.scale, 8 * sheet.scale);
-    sheet.text(&sides[0], (x - gap, y), SMALL, HPos::Right)?;
-    sheet.text(&sides[1], (x + gap, y), SMALL, HPos::Left)
+    canvas.line(ends.into(), INK, 20)?;
+    let (x, y, gap) = (ends[1].0, ends[1].1 - 9 * canvas.scale, 8 * canvas.scale);
+    canvas.text(sides[0], (x - gap, y), SMALL, HPos::Right)?;
+    canvas.text(sides[1], (x + gap, y), SMALL, HPos::Left)
 }
 
 /// Draws the two parts of a bar, the paper's total, and to the right its text.
-fn draw_bar<DB: DrawingBackend>(sheet: &Sheet<DB>, places: &Places<DB>, bar: &Bar) -> Drawn<DB> {
+fn draw_bar<DB: DrawingBackend>(canvas: &Canvas<DB>, places: &Places<DB>, bar: &Bar) -> Drawn<DB> {
     let (low, _) = places.as_coord_spec().x_spec().bounds();
     let origin = places.backend_coord(&(low, -(bar.row as f64)));
-    let half = (ROW as i32 - 5) * sheet.scale / 2;
+    let half = (ROW as i32 - 5) * canvas.scale / 2;
     let mut end = origin.0;
     let ends = bar.parts.map(|parts| parts.map(|part| pixel(places, part, bar.row as f64)));
     for (place, paint) in ends.into_iter().flatten().zip([BLUE, ORANGE]) {
         let Some((x, y)) = place else { continue };
-        sheet.bar([(end, y - half), (x, y + half)], colour(paint))?;
+        canvas.bar([(end, y - half), (x, y + half)], colour(paint))?;
         end = x.max(end);
     }
-    if bar.mesh_kind == "stand-in" {
-        for x in (origin.0..end).step_by(7 * sheet.scale as usize).skip(1) {
-            sheet.line(vec![(x, origin.1 - half), (x, origin.1 + half)], PAPER, 10)?;
+    if bar.mesh_kind == Some(MeshKind::StandIn) {
+        for x in (origin.0..end).step_by(7 * canvas.scale as usize).skip(1) {
+            canvas.line(vec![(x, origin.1 - half), (x, origin.1 + half)], PAPER, 10)?;
         }
     }
     let look = Look { colour: GREY, mark: Mark::Down };
     if let Some(at) = bar.paper.and_then(|paper| pixel(places, paper, bar.row as f64)) {
-        sheet.mark(at, look, true)?;
+        canvas.mark(at, look, true)?;
     }
     // In a column of their own, totals are not taken for the paper's; outcomes need more room.
     let right = places.plotting_area().get_pixel_range().0.end;
     let start = if bar.parts.is_some() { right } else { origin.0 };
-    sheet.text(&bar.text, (start + 8 * sheet.scale, origin.1), SMALL, HPos::Left)
+    canvas.text(&bar.text, (start + 8 * canvas.scale, origin.1), SMALL, HPos::Left)
 }
 
 /// Draws points, their ranges, and the lines that join them.
 fn draw_series<DB: DrawingBackend>(
-    sheet: &Sheet<DB>,
+    canvas: &Canvas<DB>,
     places: &Places<DB>,
     series: &Series,
 ) -> Drawn<DB> {
     let paint = colour(series.look.colour);
     let at = |point: &Point| pixel(places, point.x, point.y);
     if series.joined {
-        sheet.line(series.points.iter().filter_map(at).collect(), paint, 16)?;
+        canvas.line(series.points.iter().filter_map(at).collect(), paint, 16)?;
     }
     for point in &series.points {
         let Some((x, y)) = at(point) else { continue };
         let range = point.range.map(|(low, high)| [low, high].map(|y| pixel(places, point.x, y)));
         if let Some([Some(low), Some(high)]) = range {
-            sheet.line(vec![low, high], paint, 14)?;
+            canvas.line(vec![low, high], paint, 14)?;
         }
-        sheet.mark((x, y), series.look, point.mesh_kind == "stand-in")?;
+        canvas.mark((x, y), series.look, point.mesh_kind == Some(MeshKind::StandIn))?;
         if point.extrapolated {
-            sheet.text("*", (x + 7 * sheet.scale, y - 3 * sheet.scale), TEXT, HPos::Left)?;
+            canvas.text("*", (x + 7 * canvas.scale, y - 3 * canvas.scale), TEXT, HPos::Left)?;
         }
     }
     Ok(())
 }
 
 /// Writes the names of series, and of the parts of bars, in a row above the axes.
-fn draw_key<DB: DrawingBackend>(sheet: &Sheet<DB>, chart: &Chart) -> Drawn<DB> {
-    let (mut x, y) = (14 * sheet.scale, 36 * sheet.scale);
+fn draw_key<DB: DrawingBackend>(canvas: &Canvas<DB>, chart: &Chart) -> Drawn<DB> {
+    let (mut x, y) = (14 * canvas.scale, 36 * canvas.scale);
     for series in &chart.series {
-        sheet.mark((x, y), series.look, false)?;
-        sheet.text(&series.name, (x + 10 * sheet.scale, y), TEXT, HPos::Left)?;
-        x += sheet.width(&series.name, TEXT) + 32 * sheet.scale;
+        canvas.mark((x, y), series.look, false)?;
+        canvas.text(&series.name, (x + 10 * canvas.scale, y), TEXT, HPos::Left)?;
+        x += canvas.width(&series.name, TEXT) + 32 * canvas.scale;
     }
     if chart.bars.is_empty() {
         return Ok(());
     }
-    let column = ((WIDTH as i32 - 76) * sheet.scale, (HEAD as i32 - 9) * sheet.scale);
-    sheet.text("our total", column, SMALL, HPos::Left)?;
-    let half = 6 * sheet.scale;
+    let column = ((WIDTH as i32 - 76) * canvas.scale, (HEAD as i32 - 9) * canvas.scale);
+    canvas.text("our total", column, SMALL, HPos::Left)?;
+    let half = 6 * canvas.scale;
     for (paint, name) in [(BLUE, "(a) initial pairing"), (ORANGE, "(d) augmentation")] {
-        sheet.bar([(x - half, y - half), (x + half, y + half)], colour(paint))?;
-        sheet.text(name, (x + 10 * sheet.scale, y), TEXT, HPos::Left)?;
-        x += sheet.width(name, TEXT) + 34 * sheet.scale;
+        canvas.bar([(x - half, y - half), (x + half, y + half)], colour(paint))?;
+        canvas.text(name, (x + 10 * canvas.scale, y), TEXT, HPos::Left)?;
+        x += canvas.width(name, TEXT) + 34 * canvas.scale;
     }
     if chart.bars.iter().any(|bar| bar.paper.is_some()) {
-        sheet.mark((x, y), Look { colour: GREY, mark: Mark::Down }, true)?;
-        sheet.text("total in the paper", (x + 10 * sheet.scale, y), TEXT, HPos::Left)?;
+        canvas.mark((x, y), Look { colour: GREY, mark: Mark::Down }, true)?;
+        canvas.text("total in the paper", (x + 10 * canvas.scale, y), TEXT, HPos::Left)?;
     }
     Ok(())
 }
 
 /// Writes the name of each series, with its exponent, to the right of its last point.
 fn draw_names<DB: DrawingBackend>(
-    sheet: &Sheet<DB>,
+    canvas: &Canvas<DB>,
     places: &Places<DB>,
     chart: &Chart,
 ) -> Drawn<DB> {
@@ -230,25 +232,25 @@ fn draw_names<DB: DrawingBackend>(
         chart.series.iter().filter_map(|series| Some((last(series)?, series))).collect();
     ends.sort_by_key(|((x, y), _)| (*y, *x));
     let (xs, ys) = places.plotting_area().get_pixel_range();
-    let tall = |series: &Series| (if series.fit.is_some() { 36 } else { 20 }) * sheet.scale;
+    let tall = |series: &Series| (if series.fit.is_some() { 36 } else { 20 }) * canvas.scale;
     let below: i32 = ends.iter().map(|(_, series)| tall(series)).sum();
     let (mut free, mut rest) = (ys.start, below);
     for ((x, y), series) in ends {
-        let top = (y - 9 * sheet.scale).min(ys.end + 8 * sheet.scale - rest).max(free);
+        let top = (y - 9 * canvas.scale).min(ys.end + 8 * canvas.scale - rest).max(free);
         (free, rest) = (top + tall(series), rest - tall(series));
-        let at = (xs.end + 18 * sheet.scale, top + 9 * sheet.scale);
-        sheet.line(vec![(x, y), (at.0 - 8 * sheet.scale, at.1)], GRID, 10)?;
-        sheet.mark(at, series.look, false)?;
-        sheet.text(&series.name, (at.0 + 10 * sheet.scale, at.1), TEXT, HPos::Left)?;
+        let at = (xs.end + 18 * canvas.scale, top + 9 * canvas.scale);
+        canvas.line(vec![(x, y), (at.0 - 8 * canvas.scale, at.1)], GRID, 10)?;
+        canvas.mark(at, series.look, false)?;
+        canvas.text(&series.name, (at.0 + 10 * canvas.scale, at.1), TEXT, HPos::Left)?;
         if let Some(fit) = series.fit {
-            let at = (at.0 + 10 * sheet.scale, at.1 + 16 * sheet.scale);
-            sheet.text(&exponent(fit), at, SMALL, HPos::Left)?;
+            let at = (at.0 + 10 * canvas.scale, at.1 + 16 * canvas.scale);
+            canvas.text(&exponent(fit), at, SMALL, HPos::Left)?;
         }
     }
     Ok(())
 }
 
-/// An exponent with half the length of its interval.
+/// Writes an exponent with half the length of its interval.
 fn exponent(fit: PowerLaw) -> String {
     match fit.interval {
         Some((low, high)) => format!("n^{:.2} ± {:.2}", fit.exponent, (high - low) / 2.0),

@@ -1,143 +1,136 @@
 //! Time against size: Figures 15 to 18 of the paper on irreducible triangulations, and the same for
 //! conversions, with fitted exponents.
 
-use super::Words;
+use triquad::augmentation::Augmentation;
+use triquad::irreducible::Order;
+use triquad::pairing::Algorithm;
+
 use super::axis::Spread;
-use super::chart::{Chart, Point, Series, look_of, notes};
-use crate::experiment::RunRecord;
-use crate::report::fit::PowerLaw;
+use super::chart::{Chart, Counterpart, Point, Series, legends};
+use crate::experiment::{Job, Measured, RunRecord};
+use crate::paper::Paper;
+use crate::report::power_law::PowerLaw;
 use crate::report::summary::{Cell, Summary};
 
-/// A number of a run.
-type Number = fn(&RunRecord) -> Option<f64>;
+/// A time of a run.
+type Time = fn(&RunRecord) -> Option<f64>;
 
-/// The counterparts of Figures 15 to 18.
-pub fn figures(summary: &Summary) -> Vec<(Words, Chart)> {
+/// Makes the counterparts of Figures 15 to 18.
+pub fn figures(summary: &Summary) -> Vec<Chart> {
     let figures = [
-        ("Figure 15", "scans", "scans of Table 2"),
-        ("Figure 16", "B", "box of genus 0 (Table 3)"),
-        ("Figure 17", "C", "box of genus 3,500 (Table 4)"),
-        ("Figure 18", "D", "boxes of growing genus (Table 5)"),
+        (15, "scans", "scans of Table 2"),
+        (16, "B", "box of genus 0 (Table 3)"),
+        (17, "C", "box of genus 3,500 (Table 4)"),
+        (18, "D", "boxes of growing genus (Table 5)"),
     ];
     figures.map(|(figure, group, meshes)| of_figure(summary, figure, group, meshes)).into()
 }
 
-fn of_figure(summary: &Summary, figure: &'static str, group: &str, meshes: &str) -> (Words, Chart) {
-    let cells: Vec<&Cell> =
-        summary.of_group("irreducible", Some(group)).filter(|cell| cell.how() == "file").collect();
+fn of_figure(summary: &Summary, figure: u8, group: &str, meshes: &str) -> Chart {
+    let in_file_order =
+        |cell: &&Cell| matches!(cell.id.job, Job::Reduce { order: Order::File, .. });
+    let cells = summary.of_group(Paper::Irreducible, group).filter(in_file_order).collect();
     let against_genus = group == "D";
-    let chart = Chart {
-        title: format!("RS, S and BF on the {meshes}"),
-        x_name: if against_genus { "genus g" } else { "triangles n" }.into(),
-        x_spread: if against_genus { Spread::Linear } else { Spread::Logarithmic },
-        y_spread: if against_genus { Spread::Linear } else { Spread::Logarithmic },
-        series: all_series(&cells, |run| run.seconds, against_genus),
-        notes: notes(cells.iter().copied()),
-        ..time_chart()
-    };
+    let chart = chart(
+        format!("figure_{figure}"),
+        format!("RS, S and BF on the {meshes}"),
+        cells,
+        |run| run.measured.seconds,
+        against_genus,
+    );
     let axes = if against_genus {
         "Against the genus, as in the paper; the meshes have about the same number of triangles."
     } else {
         "Logarithmic axes, so that powers are straight lines (those of the paper are linear)."
     };
-    let caption = format!("{axes} {READING}");
-    let number = figure.trim_start_matches("Figure ");
-    (Words { figure, stem: format!("figure_{number}"), caption }, chart)
+    let counterpart = Counterpart::Figure(figure);
+    Chart { counterpart, caption: format!("{axes} {READING}"), ..chart }
 }
 
-/// What holds for all of these plots.
+/// How to read all of these plots.
 const READING: &str = "Points are means of the runs, strokes go from the fastest to the slowest; \
                        n^… is the least-squares exponent with its 95 % interval (Student's t).";
 
-/// A chart of seconds without anything in it.
-fn time_chart() -> Chart {
-    Chart {
-        title: String::new(),
-        x_name: "triangles n".into(),
-        y_name: "seconds".into(),
-        x_spread: Spread::Logarithmic,
-        y_spread: Spread::Logarithmic,
-        rows: Vec::new(),
-        series: Vec::new(),
-        bars: Vec::new(),
-        line: None,
-        notes: Vec::new(),
-    }
-}
-
-/// Total time of conversions against the number of triangles.
-pub fn totals(summary: &Summary) -> Vec<(Words, Chart)> {
+/// Makes the charts of the total time of conversions against the number of triangles.
+pub fn totals(summary: &Summary) -> Vec<Chart> {
     let groups = [
-        ("scans", "Total time on the scans of Table 4.1", "as published (tarjan)"),
-        ("A", "Total time on the box of genus 0", "as published (tarjan)"),
-        ("B", "Total time on the box of genus 3,500", "as published (tarjan)"),
-        ("data", "Total time on other scans", "as published (tarjan)"),
+        ("scans", "the scans of Table 4.1"),
+        ("A", "the box of genus 0"),
+        ("B", "the box of genus 3,500"),
+        ("data", "other scans"),
     ];
-    let mut charts: Vec<_> = groups
-        .map(|(group, title, how)| {
-            let cells = summary.of_group("comparison", Some(group));
-            let cells: Vec<&Cell> = cells.filter(|cell| cell.how() == "tarjan").collect();
-            let title = format!("{title}, {how}");
-            (format!("total_{group}"), total(title, &cells))
-        })
-        .into();
-    let ours = |cell: &&Cell| {
-        let local = ["tq", "gw"].contains(&cell.algorithm.as_str()) && cell.how() == "local";
-        local || cell.algorithm == "ds"
+    let is_published = |cell: &&Cell| {
+        matches!(cell.id.job, Job::Convert { augmentation: Augmentation::Tarjan, .. })
     };
-    let cells: Vec<&Cell> = summary.of_group("comparison", None).filter(ours).collect();
-    let title = "Growth of TQ, GW and DS on all meshes".to_owned();
-    charts.push(("growth_tq_gw_ds".into(), total(title, &cells)));
+    let of_group = |(group, meshes): (&str, &str)| {
+        let title = format!("Total time on {meshes}, as published (tarjan)");
+        let cells = summary.of_group(Paper::Comparison, group).filter(is_published);
+        total(format!("total_{group}"), title, cells.collect())
+    };
+    let mut charts: Vec<Chart> = groups.into_iter().map(of_group).collect();
+    let perfect = |cell: &&Cell| match cell.id.job {
+        Job::Convert { algorithm: Algorithm::DiksStanczyk, .. } => true,
+        Job::Convert { algorithm, augmentation: Augmentation::Local } => {
+            [Algorithm::EagerRescue, Algorithm::GawrychowskiWasylkiewicz].contains(&algorithm)
+        }
+        _ => false,
+    };
+    let cells = summary.of_paper(Paper::Comparison).filter(perfect).collect();
+    let title = "Growth of TQ, GW and DS on all meshes".into();
+    charts.push(total("growth_tq_gw_ds".into(), title, cells));
     charts
-        .into_iter()
-        .map(|(stem, chart)| (Words { figure: "", stem, caption: READING.into() }, chart))
-        .collect()
 }
 
-fn total(title: String, cells: &[&Cell]) -> Chart {
+fn total(stem: String, title: String, cells: Vec<&Cell>) -> Chart {
+    chart(stem, title, cells, RunRecord::whole_total_seconds, false)
+}
+
+/// Makes a chart with one series for each algorithm among `cells`.
+fn chart(stem: String, title: String, cells: Vec<&Cell>, time: Time, against_genus: bool) -> Chart {
+    let spread = if against_genus { Spread::Linear } else { Spread::Logarithmic };
+    let mut names: Vec<&str> = Vec::new();
+    for cell in &cells {
+        if !names.contains(&cell.id.job.facts().name) {
+            names.push(cell.id.job.facts().name);
+        }
+    }
+    let series = names.into_iter().map(|name| {
+        let own = cells.iter().copied().filter(|cell| cell.id.job.facts().name == name);
+        series(&own.collect::<Vec<_>>(), time, against_genus)
+    });
     Chart {
+        stem,
         title,
-        series: all_series(cells, RunRecord::whole_total_seconds, false),
-        notes: notes(cells.iter().copied()),
-        ..time_chart()
+        caption: READING.into(),
+        x_name: if against_genus { "genus g" } else { "triangles n" }.into(),
+        y_name: "seconds".into(),
+        x_spread: spread,
+        y_spread: spread,
+        series: series.filter(|series| !series.points.is_empty()).collect(),
+        notes: legends(cells.iter().copied()),
+        ..Chart::default()
     }
 }
 
-/// One series for each algorithm.
-fn all_series(cells: &[&Cell], number: Number, against_genus: bool) -> Vec<Series> {
-    let mut names: Vec<String> = cells.iter().map(|cell| name_of(cell)).collect();
-    let mut seen = Vec::new();
-    names.retain(|name| {
-        !seen.contains(name) && {
-            seen.push(name.clone());
-            true
-        }
-    });
-    let series = names.into_iter().map(|name| {
-        let own: Vec<&Cell> = cells.iter().copied().filter(|cell| name_of(cell) == name).collect();
-        let look = look_of(&own[0].algorithm, own[0].lrs_variant.as_deref());
-        let points = points(&own, number, against_genus);
-        let law: Vec<(f64, f64)> = points.iter().map(|point| (point.x, point.y)).collect();
-        let fit = if against_genus { None } else { PowerLaw::through(&law) };
-        Series { name, look, points, joined: true, fit }
-    });
-    series.filter(|series| !series.points.is_empty()).collect()
+/// Makes the series of an algorithm's cells, of which there is one.
+fn series(cells: &[&Cell], time: Time, against_genus: bool) -> Series {
+    let points = points(cells, time, against_genus);
+    let law: Vec<(f64, f64)> = points.iter().map(|point| (point.x, point.y)).collect();
+    let fit = if against_genus { None } else { PowerLaw::through(&law) };
+    let facts = cells[0].id.job.facts();
+    let (name, look) = (facts.label.into(), facts.look);
+    Series { name, look, is_printed: false, points, joined: true, fit }
 }
 
-/// The name of an algorithm without its augmentation, which the title tells.
-fn name_of(cell: &Cell) -> String {
-    cell.label().trim_end_matches(" local").to_owned()
-}
-
-/// A point for each cell with a run that ended well, from left to right.
-fn points(cells: &[&Cell], number: Number, against_genus: bool) -> Vec<Point> {
-    let x: fn(&RunRecord) -> Option<u64> =
-        if against_genus { |run| run.genus } else { |run| run.triangles };
+/// Makes a point for each cell with a run that ended well, from left to right.
+fn points(cells: &[&Cell], time: Time, against_genus: bool) -> Vec<Point> {
+    let x: fn(&Measured) -> Option<u64> =
+        if against_genus { |measured| measured.genus } else { |measured| measured.triangles };
     let point = |cell: &&Cell| {
-        let seconds = cell.statistics(number)?;
+        let seconds = cell.statistics(time)?;
         Some(Point {
-            mesh: cell.mesh.clone(),
-            mesh_kind: cell.mesh_kind.clone(),
+            mesh: cell.mesh().into(),
+            mesh_kind: cell.mesh_kind,
             x: cell.count(x)? as f64,
             y: seconds.mean,
             range: (seconds.n > 1).then_some((seconds.minimum, seconds.maximum)),

@@ -1,31 +1,33 @@
-//! Plots of records: counterparts of the second paper's Figures 15 to 18, of the first one's tables,
-//! and of what neither shows.
+//! Plots of records: counterparts of the second paper's Figures 15 to 18, of the first one's
+//! tables, and of what neither shows.
 //!
-//! A chart says what is shown, `draw` draws it with `plotters`; the text is set in a font
-//! that is part of the program, so that nothing of the system is needed and each byte is the same
-//! everywhere.
+//! A chart has the content, `draw` draws it with `plotters`. The text is set in a font that is part
+//! of the program, so that nothing of the system is needed and each byte is the same everywhere.
 
-mod against;
 mod axis;
+mod canvas;
 mod chart;
 mod draw;
 mod growth;
-mod render;
-mod sheet;
-mod stacks;
+mod image_files;
+mod ratios;
+mod time_bars;
+
+use serde::Serialize;
+
+pub use chart::Counterpart;
 
 use chart::Chart;
-use serde::Serialize;
 
 use super::summary::Summary;
 
 /// A plot, ready to be written.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Plot {
-    /// Number of the figure or table of the papers whose counterpart it is, such as `Figure 15`;
-    /// empty if it has none.
-    pub figure: String,
-    /// What is shown.
+    /// What of the papers it belongs to.
+    #[serde(skip)]
+    pub counterpart: Counterpart,
+    /// Its title.
     pub title: String,
     /// How to read it.
     pub caption: String,
@@ -41,37 +43,32 @@ pub struct Plot {
     pub csv: String,
 }
 
-/// What a plot is called and what is said of it.
-struct Words {
-    figure: &'static str,
-    stem: String,
-    caption: String,
-}
-
-/// Every plot that there is something for. O(cells²), and O(pixels) for each.
+/// Draws every plot that there is something for. O(cells²), and O(pixels) for each.
 pub fn all(summary: &Summary) -> Vec<Plot> {
-    charts(summary).map(plot).collect()
+    charts(summary).map(Plot::from).collect()
 }
 
-/// The plot whose files have that name, if there is something for it.
+/// Draws the plot whose files have that name, if there is something for it.
 pub fn named(summary: &Summary, stem: &str) -> Option<Plot> {
-    charts(summary).find(|(words, _)| words.stem == stem).map(plot)
+    charts(summary).find(|chart| chart.stem == stem).map(Plot::from)
 }
 
-fn charts(summary: &Summary) -> impl Iterator<Item = (Words, Chart)> {
-    let charts = [growth::figures(summary), stacks::all(summary), against::all(summary)];
+fn charts(summary: &Summary) -> impl Iterator<Item = Chart> {
+    let charts = [growth::figures(summary), time_bars::all(summary), ratios::all(summary)];
     let charts = charts.into_iter().flatten().chain(growth::totals(summary));
-    charts.filter(|(_, chart)| !chart.is_empty())
+    charts.filter(|chart| !chart.is_empty())
 }
 
-fn plot((words, chart): (Words, Chart)) -> Plot {
-    Plot {
-        figure: words.figure.into(),
-        title: chart.title.clone(),
-        caption: words.caption,
-        stem: words.stem,
-        svg: render::svg(&chart),
-        png: render::png(&chart),
-        csv: chart.csv(),
+impl From<Chart> for Plot {
+    fn from(chart: Chart) -> Self {
+        Self {
+            svg: image_files::svg(&chart),
+            png: image_files::png(&chart),
+            csv: chart.csv(),
+            counterpart: chart.counterpart,
+            title: chart.title,
+            caption: chart.caption,
+            stem: chart.stem,
+        }
     }
 }

@@ -1,97 +1,212 @@
-//! Columns that several tables have.
+//! Columns by how their cells come from a line: name, heading and number in one place.
 
-use crate::experiment::RunRecord;
-use crate::report::number::{or_empty, quotient, significant};
-use crate::report::paper::Table;
-use crate::report::statistics::Statistics;
+use super::table::{Beside, Column, ReportTable, Row, TableCell, Value};
+use crate::experiment::{Measured, RunRecord};
+use crate::meshes::MeshKind;
+use crate::paper::{Paper, Table};
+use crate::report::notes::Note;
 use crate::report::summary::{Cell, Summary};
 
-/// What tells the reader what a mesh is.
-pub const MESH: [&str; 4] = ["mesh_kind", "vertices", "triangles", "genus"];
+/// What a row of a table is made of.
+pub struct Line<'a, P> {
+    /// Name of the mesh.
+    pub mesh: String,
+    /// Every cell of the mesh.
+    pub of_mesh: Vec<&'a Cell>,
+    /// The cells that are shown, one for each algorithm that the table has columns for.
+    pub cells: Vec<Option<&'a Cell>>,
+    /// The paper's row.
+    pub paper: Option<P>,
+}
 
-/// The columns [`MESH`] of a mesh, from whichever of its cells knows.
-pub fn of_mesh<'a>(cells: impl Iterator<Item = &'a Cell> + Clone) -> [String; 4] {
-    let kind = cells.clone().map(|cell| cell.mesh_kind.clone()).next().unwrap_or_default();
-    let count = |number: fn(&RunRecord) -> Option<u64>| {
-        or_empty(cells.clone().find_map(|cell| cell.count(number)), |n| n.to_string())
+/// Makes a cell of a line.
+type MakeCell<'c, P> = dyn Fn(&Line<P>) -> TableCell + 'c;
+
+/// A column and how its cells are made.
+pub struct ColumnOf<'c, P> {
+    column: Column,
+    cell: Box<MakeCell<'c, P>>,
+}
+
+impl<'a, P> Line<'a, P> {
+    /// Returns a line on a mesh of a paper, without shown cells.
+    pub fn new(summary: &'a Summary, paper: Paper, mesh: &str, printed: Option<P>) -> Self {
+        let of_mesh = summary.of_mesh(paper, mesh).collect();
+        Self { mesh: mesh.into(), of_mesh, cells: Vec::new(), paper: printed }
+    }
+
+    /// Returns where the mesh comes from.
+    fn mesh_kind(&self) -> Option<MeshKind> {
+        self.of_mesh.first().and_then(|cell| cell.mesh_kind)
+    }
+
+    /// Returns a count of the mesh from whichever of its cells has it.
+    pub fn count(&self, count: fn(&Measured) -> Option<u64>) -> Option<u64> {
+        self.of_mesh.iter().find_map(|cell| cell.count(count))
+    }
+}
+
+/// Returns a column of that name; its cells are made by `ours`.
+pub fn column<'c, P>(
+    name: impl Into<String>,
+    ours: impl Fn(&Line<P>) -> Value + 'c,
+) -> ColumnOf<'c, P> {
+    let name = name.into();
+    let heading = name.replace('_', " ");
+    let column = Column { name, heading, is_shown: true, beside: Beside::Nothing };
+    let cell = move |line: &Line<P>| TableCell { ours: ours(line), ..TableCell::default() };
+    ColumnOf { column, cell: Box::new(cell) }
+}
+
+/// Returns a column of a shown cell.
+pub fn of_cell<'c, P>(
+    name: impl Into<String>,
+    at: usize,
+    ours: impl Fn(&Cell) -> Option<Value> + 'c,
+) -> ColumnOf<'c, P> {
+    column(name, move |line: &Line<P>| line.cells[at].and_then(&ours).unwrap_or_default())
+}
+
+/// Returns a column of the mean of a number over the runs of a shown cell.
+pub fn mean<'c, P>(
+    name: impl Into<String>,
+    at: usize,
+    unit: fn(f64) -> Value,
+    number: fn(&RunRecord) -> Option<f64>,
+) -> ColumnOf<'c, P> {
+    of_cell(name, at, move |cell| cell.mean(number).map(unit))
+}
+
+/// Returns a column of the mean of a count over the runs of a shown cell.
+pub fn mean_count<'c, P>(
+    name: impl Into<String>,
+    at: usize,
+    count: fn(&Measured) -> Option<u64>,
+) -> ColumnOf<'c, P> {
+    of_cell(name, at, move |cell| cell.mean_count(count).map(Value::Mean))
+}
+
+/// Returns a column of how the runs of a cell ended, or `not planned`.
+pub fn outcomes<'c, P>(name: impl Into<String>, at: usize) -> ColumnOf<'c, P> {
+    column(name, move |line: &Line<P>| {
+        Value::Text(line.cells[at].map_or("not planned".into(), Cell::outcome_text))
+    })
+}
+
+/// Returns a column of the number of runs that ended well.
+pub fn ok_runs<'c, P>(at: usize) -> ColumnOf<'c, P> {
+    let runs = move |line: &Line<P>| {
+        Value::Count(line.cells[at].map_or(0, |cell| cell.ok_runs().count() as u64))
     };
-    [kind, count(|run| run.vertices), count(|run| run.triangles), count(|run| run.genus)]
+    column("n", runs).heading("runs")
 }
 
-/// How the runs of a cell ended, or `not planned`.
-pub fn outcomes(cell: Option<&Cell>) -> String {
-    cell.map_or("not planned".into(), Cell::outcome_text)
+/// Returns a column with `yes` where times of a cell are extrapolated.
+pub fn extrapolated<'c, P>(name: impl Into<String>, at: usize) -> ColumnOf<'c, P> {
+    let yes = |cell: &Cell| cell.is_extrapolated().then(|| Value::Text("yes".into()));
+    of_cell(name, at, yes).hidden()
 }
 
-/// `yes` where times are extrapolated from a part of the augmenting paths.
-pub fn extrapolated(cell: Option<&Cell>) -> String {
-    if cell.is_some_and(Cell::is_extrapolated) { "yes".into() } else { String::new() }
+/// Returns the columns of kind and size of the mesh.
+pub fn mesh<'c, P>() -> Vec<ColumnOf<'c, P>> {
+    vec![
+        mesh_kind(),
+        size("vertices", |measured| measured.vertices),
+        size("triangles", |measured| measured.triangles),
+        size("genus", |measured| measured.genus),
+    ]
 }
 
-/// The mean, written by `write`; empty if there is none.
-pub fn mean(statistics: Option<Statistics>, write: fn(f64) -> String) -> String {
-    or_empty(statistics.map(|statistics| statistics.mean), write)
+/// Returns the column of the kind of the mesh.
+pub fn mesh_kind<'c, P>() -> ColumnOf<'c, P> {
+    let kind = |line: &Line<P>| line.mesh_kind().map_or("", MeshKind::id).to_owned();
+    column("mesh_kind", move |line| Value::Text(kind(line))).hidden()
 }
 
-/// Ours divided by the paper's.
-pub fn ratio(ours: Option<f64>, paper: Option<f64>) -> String {
-    or_empty(quotient(ours, paper), significant)
+/// Returns a column of a count of the mesh.
+pub fn size<'c, P>(name: &'static str, count: fn(&Measured) -> Option<u64>) -> ColumnOf<'c, P> {
+    column(name, move |line: &Line<P>| line.count(count).map_or(Value::Missing, Value::Count))
 }
 
-/// Names as owned strings.
-pub fn header(groups: &[&[&str]]) -> Vec<String> {
-    groups.iter().flat_map(|group| group.iter()).map(|&name| name.to_owned()).collect()
-}
-
-/// What must be known of these cells to read a table of them.
-pub fn notes(cells: &[&Cell]) -> Vec<String> {
-    let any = |test: fn(&Cell) -> bool| cells.iter().any(|cell| test(cell));
-    let mut notes = Vec::new();
-    for scale in ["small", "demo"] {
-        if cells.iter().any(|cell| cell.scale == scale) {
-            notes.push(format!(
-                "Scale {scale}: the meshes are smaller than the paper's of the same names, so that \
-                 counts that depend on size and times cannot be compared with the printed ones."
-            ));
-        }
+impl<'c, P> ColumnOf<'c, P> {
+    /// Sets the name on the page.
+    pub fn heading(mut self, heading: impl Into<String>) -> Self {
+        self.column.heading = heading.into();
+        self
     }
-    if any(Cell::is_stand_in) {
-        notes.push(
-            "A stand-in has the vertex count and genus of the paper's scan, not its shape or \
-             connectivity."
-                .into(),
-        );
+
+    /// Leaves the column out of the page.
+    pub fn hidden(mut self) -> Self {
+        self.column.is_shown = false;
+        self
     }
-    if any(Cell::is_extrapolated) {
-        notes.push(
-            "Extrapolated: the augmentation was stopped after some of its paths, and its time is \
-             that of the paths made, by rule of three for all of them."
-                .into(),
-        );
+
+    /// Puts the paper's number beside ours.
+    pub fn printed(mut self, paper: impl Fn(&P) -> Value + 'c) -> Self
+    where
+        P: 'c,
+    {
+        self.column.beside = Beside::Printed;
+        let ours = self.cell;
+        self.cell = Box::new(move |line| TableCell {
+            paper: line.paper.as_ref().map_or(Value::Missing, &paper),
+            ..ours(line)
+        });
+        self
     }
-    if any(Cell::is_parallel) {
-        notes.push(
-            "Runs went on beside others on the same machine: times are neither ranked nor divided \
-             by each other."
-                .into(),
-        );
+
+    /// Adds the ratio of ours to the paper's to the file.
+    pub fn with_ratio(mut self) -> Self {
+        self.column.beside = Beside::PrintedAndRatio;
+        self
     }
-    if any(|cell| cell.missing() > 0 || cell.runs.iter().any(|run| !run.is_ok())) {
-        notes.push("Runs that are missing or did not end well: see the column of outcomes.".into());
+
+    /// Marks the numbers that are extrapolated in one of these shown cells.
+    pub fn starred(mut self, at: &'c [usize]) -> Self
+    where
+        P: 'c,
+    {
+        let ours = self.cell;
+        self.cell = Box::new(move |line| TableCell {
+            is_extrapolated: at.iter().any(|&at| line.cells[at].is_some_and(Cell::is_extrapolated)),
+            ..ours(line)
+        });
+        self
     }
-    notes
 }
 
-/// The printed table of that number.
-pub fn printed(number: &str) -> Table {
-    Table::numbered(number).expect("a table that the papers have")
+/// Makes a table: a row for each line, and the notes on the shown cells.
+pub fn table<P>(
+    file: &'static str,
+    title: &'static str,
+    columns: Vec<ColumnOf<P>>,
+    lines: &[Line<P>],
+) -> ReportTable {
+    let row = |line: &Line<P>| Row {
+        mesh: line.mesh.clone(),
+        mesh_kind: line.mesh_kind(),
+        cells: columns.iter().map(|column| (column.cell)(line)).collect(),
+        errata: String::new(),
+    };
+    let rows = lines.iter().map(row).collect();
+    let shown = lines.iter().flat_map(|line| line.cells.iter().copied().flatten());
+    let notes = Note::on(shown);
+    let columns = columns.into_iter().map(|column| column.column).collect();
+    ReportTable { paper: None, group: None, file, title, columns, rows, notes }
 }
 
-/// The cells of a mesh in an experiment.
-pub fn cells_of<'a, 'n>(
-    summary: &'a Summary,
-    experiment: &'n str,
-    mesh: &'n str,
-) -> impl Iterator<Item = &'a Cell> + Clone {
-    summary.cells().iter().filter(move |cell| cell.experiment == experiment && cell.mesh == mesh)
+/// Makes the counterpart of a printed table.
+pub fn counterpart<P>(
+    printed: Table,
+    columns: Vec<ColumnOf<P>>,
+    lines: &[Line<P>],
+    errata: fn(&P) -> &str,
+) -> ReportTable {
+    let mut table = table(printed.file, printed.title, columns, lines);
+    table.paper = Some(printed);
+    table.group = Some((printed.paper, printed.group));
+    for (row, line) in table.rows.iter_mut().zip(lines) {
+        row.errata = line.paper.as_ref().map_or(String::new(), |paper| errata(paper).into());
+    }
+    table
 }

@@ -6,7 +6,7 @@ mod statements;
 use std::collections::{BTreeMap, BTreeSet};
 
 use triquad_lab::meshes::paper::{self as presets, named};
-use triquad_lab::report::paper::{Kind, LinkTestRow, MeshRow, Table};
+use triquad_lab::paper::{LinkTestRow, MeshRow, Table, TableKind};
 
 /// A number in a table: number of the table, row (mesh, algorithm if there is one), column.
 type Cell = (&'static str, String, String);
@@ -17,14 +17,13 @@ fn table(number: &str) -> Table {
 
 /// The rows of `table` as printed: what they are called, and their fields by column.
 fn printed_rows(table: &Table) -> Vec<(String, BTreeMap<String, String>)> {
-    let header = table.header();
-    let row =
-        |fields: Vec<String>| -> BTreeMap<_, _> { header.iter().cloned().zip(fields).collect() };
+    let mut reader = csv::Reader::from_reader(table.text.as_bytes());
+    let row = |row: csv::Result<BTreeMap<String, String>>| row.unwrap();
     let named = |fields: BTreeMap<String, String>| match fields.get("algorithm") {
         Some(algorithm) => (format!("{} {algorithm}", fields["mesh"]), fields),
         None => (fields["mesh"].clone(), fields),
     };
-    table.rows().into_iter().map(row).map(named).collect()
+    reader.deserialize().map(row).map(named).collect()
 }
 
 /// Whether `printed` is `value`, rounded to the digits printed.
@@ -43,18 +42,18 @@ fn number(fields: &BTreeMap<String, String>, column: &str) -> f64 {
 /// What a row's columns must be by its other columns and by other tables.
 fn recomputed(table: &Table, fields: &BTreeMap<String, String>) -> Vec<(&'static str, f64)> {
     let value = |column| number(fields, column);
-    match table.kind() {
-        Kind::Meshes => {
+    match table.kind {
+        TableKind::Meshes => {
             let thirds = value("vertices") - 2.0 + 2.0 * value("genus");
             vec![("edges", 3.0 * thirds), ("triangles", 2.0 * thirds)]
         }
-        Kind::Pairings => {
+        TableKind::Pairings => {
             let triangles = f64::from(mesh_row(&fields["mesh"]).triangles);
             let paired = 100.0 * (triangles - value("unpaired_triangles")) / triangles;
             let total = value("pairing_seconds") + value("augmentation_seconds");
             vec![("paired_percent", paired), ("total_seconds", total)]
         }
-        Kind::Ratios => {
+        TableKind::Ratios => {
             let LinkTestRow {
                 rs_link_condition_tests: rs,
                 schipper_link_condition_tests: schipper,
@@ -67,13 +66,13 @@ fn recomputed(table: &Table, fields: &BTreeMap<String, String>) -> Vec<(&'static
                 ("schipper_to_brute_force_tests", schipper / brute_force),
             ]
         }
-        Kind::LinkTests => Vec::new(),
+        TableKind::LinkTests => Vec::new(),
     }
 }
 
 /// The row of Tables 6, 8 or 10 behind a row of Tables 7, 9 or 11.
 fn tests_of_ratios(ratios: &Table, mesh: &str) -> LinkTestRow {
-    let before: u32 = ratios.number().parse().unwrap();
+    let before: u32 = ratios.number.parse().unwrap();
     let rows = table(&(before - 1).to_string()).link_test_rows();
     rows.into_iter().find(|row| row.mesh == mesh).unwrap_or_else(|| panic!("no tests of {mesh}"))
 }
@@ -98,7 +97,7 @@ fn recomputing_finds_exactly_the_errata() {
     let (mut found, mut stated) = (BTreeSet::<Cell>::new(), BTreeSet::<Cell>::new());
     for table in Table::ALL {
         for (row, fields) in printed_rows(&table) {
-            let cell = |column: &str| (table.number(), row.clone(), column.to_owned());
+            let cell = |column: &str| (table.number, row.clone(), column.to_owned());
             let wrong = recomputed(&table, &fields).into_iter();
             let wrong = wrong.filter(|&(column, value)| !agrees(&fields[column], value));
             found.extend(wrong.map(|(column, _)| cell(column)));
@@ -228,20 +227,20 @@ fn ratios_of_times_fit_together() {
 #[test]
 fn rows_are_the_same_typed_and_printed() {
     for table in Table::ALL {
-        assert_eq!(Table::numbered(table.number()), Some(table));
-        assert_eq!(table.header().last().map(String::as_str), Some("errata"));
-        let typed: Vec<(String, String)> = match table.kind() {
-            Kind::Meshes => typed(table.mesh_rows(), |row| (row.mesh, row.errata)),
-            Kind::Pairings => {
+        assert_eq!(Table::numbered(table.number), Some(table));
+        assert!(table.text.lines().next().unwrap().ends_with(",errata"));
+        let typed: Vec<(String, String)> = match table.kind {
+            TableKind::Meshes => typed(table.mesh_rows(), |row| (row.mesh, row.errata)),
+            TableKind::Pairings => {
                 typed(table.pairing_rows(), |row| (row.mesh + " " + &row.algorithm, row.errata))
             }
-            Kind::LinkTests => typed(table.link_test_rows(), |row| (row.mesh, row.errata)),
-            Kind::Ratios => typed(table.ratio_rows(), |row| (row.mesh, row.errata)),
+            TableKind::LinkTests => typed(table.link_test_rows(), |row| (row.mesh, row.errata)),
+            TableKind::Ratios => typed(table.ratio_rows(), |row| (row.mesh, row.errata)),
         };
         let printed = printed_rows(&table).into_iter();
         let printed: Vec<_> =
             printed.map(|(row, mut fields)| (row, fields.remove("errata").unwrap())).collect();
-        assert_eq!(typed, printed, "{}", table.number());
+        assert_eq!(typed, printed, "{}", table.number);
         let rows = [
             table.mesh_rows().len(),
             table.pairing_rows().len(),

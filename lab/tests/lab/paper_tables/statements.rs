@@ -2,14 +2,53 @@
 
 use std::collections::BTreeSet;
 
-use triquad_lab::report::paper::{PairingRow, printed_in_text, text_errata};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use triquad_lab::paper::PairingRow;
 
 use super::{agrees, mesh_row, number, printed_rows, table};
 
+/// A measurement that stands in a sentence only: a row of `printed_in_text.csv`.
+#[derive(Debug, Deserialize)]
+struct TextRow {
+    /// A mesh's name, or which meshes.
+    mesh: String,
+    algorithm: String,
+    /// What was measured, in the words of the records.
+    quantity: String,
+    /// Digit by digit as printed.
+    value: String,
+}
+
+/// A sentence that the tables or other sentences contradict: a row of `errata_text.csv`.
+#[derive(Debug, Deserialize)]
+struct TextErratum {
+    id: String,
+    source: String,
+    statement: String,
+    contradiction: String,
+    reading: String,
+    /// `recomputing` or `reading`.
+    found_by: String,
+}
+
+fn rows<Row: DeserializeOwned>(text: &str) -> Vec<Row> {
+    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
+    rows.collect::<Result<_, _>>().unwrap()
+}
+
+fn printed_in_text() -> Vec<TextRow> {
+    rows(include_str!("../../../experiments/paper/printed_in_text.csv"))
+}
+
+fn text_errata() -> Vec<TextErratum> {
+    rows(include_str!("../../../experiments/paper/errata_text.csv"))
+}
+
 type Statement = (&'static str, bool);
 
-/// A column of a table, in the order of its rows: from the most triangles to the fewest, or from the
-/// largest genus to the smallest.
+/// A column of a table, in the order of its rows: from the most triangles to the fewest, or from
+/// the largest genus to the smallest.
 fn column(table_number: &str, column: &str) -> Vec<f64> {
     printed_rows(&table(table_number)).iter().map(|(_, row)| number(row, column)).collect()
 }

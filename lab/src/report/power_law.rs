@@ -7,16 +7,16 @@ pub struct PowerLaw {
     pub exponent: f64,
     /// Logarithm of the value at x = 1.
     pub intercept: f64,
-    /// 95 % confidence interval of the exponent (Student's t with n - 2 degrees of freedom); none for
-    /// two points.
+    /// 95 % confidence interval of the exponent (Student's t with n - 2 degrees of freedom); none
+    /// for two points.
     pub interval: Option<(f64, f64)>,
     /// Number of points.
     pub n: usize,
 }
 
 impl PowerLaw {
-    /// Fits `points`, (x, y), leaving out those without logarithms. `None` if fewer than two points or
-    /// only one x remain. O(n).
+    /// Fits `points`, (x, y), leaving out those without logarithms. `None` if fewer than two points
+    /// or only one x remain. O(n).
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         // The logarithm is not the platform's, whose last digit varies.
         let logs: Vec<(f64, f64)> = points
@@ -44,8 +44,11 @@ impl PowerLaw {
     }
 }
 
-/// The 97.5 % quantile of Student's t; beyond the table that of its last entry, which is larger.
+/// Returns the 97.5 % quantile of Student's t; beyond the table that of its last entry, which is
+/// larger.
 fn student_t(degrees: usize) -> f64 {
+    // Not by `statrs`: its logarithm and powers are the platform's, whose last digit varies, and
+    // the intervals of recorded reports were made with these digits.
     const QUANTILES: [f64; 20] = [
         12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160,
         2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,

@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use crate::experiment::Job;
+
 /// Size of a mesh, Tables 4.1 and 4.2 and Tables 2 to 5.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct MeshRow {
@@ -44,8 +46,8 @@ pub struct PairingRow {
     pub errata: String,
 }
 
-/// Work of RS, Schipper's algorithm (S) and brute force (BF, means of ten runs) on a mesh, Tables 6,
-/// 8 and 10.
+/// Work of RS, Schipper's algorithm (S) and brute force (BF, means of ten runs) on a mesh, Tables
+/// 6, 8 and 10.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct LinkTestRow {
     /// Name of the mesh, as in [`crate::meshes::paper`].
@@ -89,34 +91,20 @@ pub struct RatioRow {
     pub errata: String,
 }
 
-/// A measurement that stands in a sentence only.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-pub struct TextRow {
-    /// Paper and section.
-    pub source: String,
-    /// A mesh's name, or which meshes.
-    pub mesh: String,
-    /// As in records.
-    pub algorithm: String,
-    /// What was measured, in the words of the records.
-    pub quantity: String,
-    /// In the unit of the quantity, digit by digit as printed.
-    pub value: String,
+impl PairingRow {
+    /// Returns the row of a mesh and an algorithm. O(rows).
+    pub fn find<'r>(rows: &'r [Self], mesh: &str, job: Job) -> Option<&'r Self> {
+        rows.iter().find(|row| row.mesh == mesh && row.algorithm == job.algorithm())
+    }
 }
 
-/// A sentence that the tables or other sentences contradict.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-pub struct TextErratum {
-    /// Short name.
-    pub id: String,
-    /// Paper and section.
-    pub source: String,
-    /// What it says, in other words.
-    pub statement: String,
-    /// What contradicts it.
-    pub contradiction: String,
-    /// What may have been meant.
-    pub reading: String,
-    /// `recomputing` or `reading`.
-    pub found_by: String,
+impl LinkTestRow {
+    /// Returns ℓ of RS, S and BF.
+    pub fn link_condition_tests(&self) -> [f64; 3] {
+        [
+            self.rs_link_condition_tests,
+            self.schipper_link_condition_tests,
+            self.brute_force_link_condition_tests,
+        ]
+    }
 }

@@ -3,9 +3,9 @@
 use plotters::prelude::*;
 use plotters::style::register_font;
 
+use super::canvas::FAMILY;
 use super::chart::Chart;
 use super::draw::{WIDTH, draw, height};
-use super::sheet::FAMILY;
 use triquad_render::Image;
 
 /// Pixels of a unit in an SVG file: its coordinates are whole numbers.
@@ -24,7 +24,7 @@ fn make_font_known() {
     assert!(known.is_ok(), "the font is a font");
 }
 
-/// The chart as SVG: no script, no style sheet, nothing from elsewhere.
+/// Draws the chart as SVG: no script, no style sheet, nothing from elsewhere.
 pub fn svg(chart: &Chart) -> String {
     make_font_known();
     let mut text = String::new();
@@ -36,7 +36,7 @@ pub fn svg(chart: &Chart) -> String {
     text
 }
 
-/// The chart as PNG. O(pixels).
+/// Draws the chart as PNG. O(pixels).
 pub fn png(chart: &Chart) -> Vec<u8> {
     make_font_known();
     let scale = PNG_SCALE * SAMPLES;
@@ -49,7 +49,7 @@ pub fn png(chart: &Chart) -> Vec<u8> {
     halved(&samples, width as usize).small_png()
 }
 
-/// An image whose pixels are means of [`SAMPLES`]² samples.
+/// Returns an image whose pixels are means of [`SAMPLES`]² samples.
 fn halved(samples: &[u8], width: usize) -> Image {
     let along = SAMPLES as usize;
     let (columns, rows) = (width / along, samples.len() / 3 / width / along);

@@ -1,12 +1,13 @@
-//! Pictures of quad meshes, as in Figures 5.11 to 5.14 of Lemos et al., and of the box, as in
-//! Figure 14 of Ramaswami and Siqueira.
+//! Pictures of quad meshes, as in Figures 5.11 to 5.14 of Lemos et al.
 
-use crate::meshes::{BoxShape, Recipe};
+use super::polygons::polygons;
+use super::record::View;
 use triquad::Mesh;
 use triquad::quadrangulation::quality::scaled_jacobian;
-use triquad_render::{Camera, Image, Lines, Picture, PictureError, Polygons, Section};
+use triquad_render::{Camera, Image, Lines, Picture, PictureError};
 
-/// Quads whose scaled Jacobian is below this are tinted: 11.5 degrees from having a straight corner.
+/// Quads whose scaled Jacobian is below this are tinted: 11.5 degrees from having a straight
+/// corner.
 pub const POOR: f64 = 0.2;
 
 /// Colours that no common colour blindness confounds with each other: sound quads, and those of
@@ -15,16 +16,7 @@ const SOUND: [u8; 3] = [222, 228, 236];
 const WORST: [u8; 3] = [240, 132, 10];
 const FLIPPED: [u8; 3] = [0, 84, 200];
 
-/// How much of a mesh is seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum View {
-    /// All of it.
-    Whole,
-    /// The middle of it, enlarged.
-    CloseUp,
-}
-
-/// A quad mesh, with what is to be seen of it.
+/// A quad mesh ready to be drawn, with counts of what is marked in it.
 #[derive(Clone, Debug)]
 pub struct QuadScene<'a> {
     quads: &'a Mesh,
@@ -35,8 +27,8 @@ pub struct QuadScene<'a> {
 }
 
 impl<'a> QuadScene<'a> {
-    /// Finds the edges of `quads` that `input`, the triangles it was made from, does not have, and the
-    /// quads that are badly shaped. O(n log n).
+    /// Finds the edges of `quads` that `input`, the triangles it was made from, does not have, and
+    /// the quads that are badly shaped. O(n log n).
     pub fn new(quads: &'a Mesh, input: &Mesh) -> Self {
         let mut flipped = edges(quads);
         let all = flipped.len();
@@ -48,22 +40,22 @@ impl<'a> QuadScene<'a> {
         Self { quads, edges: all, flipped, colours, poor }
     }
 
-    /// Number of quads.
+    /// Returns the number of quads.
     pub fn quad_count(&self) -> usize {
         self.quads.faces().len()
     }
 
-    /// Number of edges of the quads.
+    /// Returns the number of edges of the quads.
     pub fn edge_count(&self) -> usize {
         self.edges
     }
 
-    /// Number of edges of the quads that are no edges of the input.
+    /// Returns the number of edges of the quads that are no edges of the input.
     pub fn flipped_count(&self) -> usize {
         self.flipped.len()
     }
 
-    /// Number of quads whose scaled Jacobian is below [`POOR`].
+    /// Returns the number of quads whose scaled Jacobian is below [`POOR`].
     pub fn poor_count(&self) -> usize {
         self.poor
     }
@@ -102,42 +94,7 @@ impl<'a> QuadScene<'a> {
     }
 }
 
-/// Borrows the arrays of a mesh for drawing.
-fn polygons(list: &Mesh) -> Polygons<'_> {
-    let corners = list.faces().corners();
-    match (list.faces().arity(), list.faces().ends()) {
-        (_, Some(ends)) => Polygons::mixed(list.positions(), corners, ends),
-        (arity, None) => Polygons::uniform(list.positions(), corners, arity.unwrap_or(3)),
-    }
-}
-
-/// Draws the box of both papers with its 62 × 62 cavities: all of it, or a corner of it cut open along
-/// a row of cavities. The proportions are ours, see [`BoxShape`]. O(1).
-pub fn box_picture(view: View) -> Image {
-    let close_up = view == View::CloseUp;
-    let vertices = if close_up { 220_000 } else { 60_000 };
-    let shape = BoxShape { cavities: 62 * 62, holes: 0, vertices };
-    let mesh = Recipe::Box(shape).make().expect("so many vertices suffice");
-    // Shafts are 1 wide and 1/2 apart: the first of row i begins at 1/2 + 3 i / 2.
-    let row = 0.5 + 1.5 * 31.0 + 0.45;
-    let picture = Picture {
-        width: 900,
-        height: if close_up { 500 } else { 560 },
-        camera: Camera {
-            direction: if close_up { [0.5, -1.0, 0.7] } else { [0.55, -1.0, 0.85] },
-            up: [0.0, 0.0, 1.0],
-            target: close_up.then_some([46.0, row + 2.2, 0.5]),
-            zoom: if close_up { 9.0 } else { 1.0 },
-            ..Camera::default()
-        },
-        section: close_up.then_some(Section { point: [0.0, row, 0.0], normal: [0.0, -1.0, 0.0] }),
-        lines: Lines { edges: close_up, ..Lines::default() },
-        ..Picture::new(polygons(&mesh))
-    };
-    picture.draw().expect("the box can be drawn")
-}
-
-/// The edges of all faces, each once, sorted.
+/// Returns the edges of all faces, each once, sorted.
 fn edges(mesh: &Mesh) -> Vec<[u32; 2]> {
     let mut edges = Vec::with_capacity(mesh.faces().corners().len());
     for face in mesh.faces().iter() {
@@ -151,7 +108,7 @@ fn edges(mesh: &Mesh) -> Vec<[u32; 2]> {
     edges
 }
 
-/// The scaled Jacobian of a quad; of another face, that of the best.
+/// Returns the scaled Jacobian of a quad; of another face, that of the best.
 fn shape(mesh: &Mesh, face: &[u32]) -> f64 {
     match *face {
         [a, b, c, d] => scaled_jacobian([a, b, c, d].map(|v| mesh.positions()[v as usize])),
@@ -159,7 +116,7 @@ fn shape(mesh: &Mesh, face: &[u32]) -> f64 {
     }
 }
 
-/// The colour of a quad of that scaled Jacobian.
+/// Returns the colour of a quad of that scaled Jacobian.
 fn tint(shape: f64) -> [u8; 3] {
     // A step at the threshold, so that what is counted is what is seen.
     let share = if shape < POOR { 0.2 + 0.8 * (POOR - shape) / (POOR + 1.0) } else { 0.0 };
@@ -168,7 +125,7 @@ fn tint(shape: f64) -> [u8; 3] {
     [0, 1, 2].map(|c| between(c).round() as u8)
 }
 
-/// The vertex that is seen nearest to the middle of the bounding box.
+/// Returns the vertex that is seen nearest to the middle of the bounding box.
 fn middle_vertex(mesh: &Mesh, direction: [f64; 3]) -> Option<[f64; 3]> {
     let used = mesh.faces().corners().iter().map(|&v| mesh.positions()[v as usize]);
     let bounds =

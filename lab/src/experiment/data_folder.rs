@@ -11,7 +11,7 @@ use triquad::triangulation::Triangulation;
 /// A mesh file in a data folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DataMesh {
-    /// The name of its file, without folder and extensions.
+    /// Name of its file, without folder and extensions.
     pub name: String,
     /// The file.
     pub path: PathBuf,
@@ -23,18 +23,28 @@ pub struct DataMesh {
     pub triangles: u32,
     /// Genus, where it is a triangulation.
     pub genus: u32,
-    /// Why it cannot be converted, where that is so.
+    /// Why it cannot be converted, if it cannot.
     pub problem: Option<String>,
 }
 
-/// Every mesh file in `folders`, in the order of triangles; of equal names the first folder's.
+/// A data folder that cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {error}", folder.display())]
+pub struct DataFolderError {
+    folder: PathBuf,
+    error: io::Error,
+}
+
+/// Reads every mesh file in `folders`, in the order of triangles; of equal names the first
+/// folder's. Builds each mesh to count its genus.
 ///
 /// # Errors
 /// A folder cannot be read.
-pub fn survey(folders: &[PathBuf]) -> Result<Vec<DataMesh>, (PathBuf, io::Error)> {
+pub fn survey(folders: &[PathBuf]) -> Result<Vec<DataMesh>, DataFolderError> {
     let mut found: Vec<DataMesh> = Vec::new();
     for folder in folders {
-        let mut files = mesh_files(folder).map_err(|error| (folder.clone(), error))?;
+        let failure = |error| DataFolderError { folder: folder.clone(), error };
+        let mut files = mesh_files(folder).map_err(failure)?;
         files.sort();
         for path in files {
             let name = name_of(&path);
@@ -53,7 +63,7 @@ fn mesh_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(paths.filter(|path| path.is_file() && Format::from_path(path).is_ok()).collect())
 }
 
-/// `folder/Happy_Buddha.obj.gz` is `Happy_Buddha`.
+/// Returns the name of a mesh: `Happy_Buddha` for `folder/Happy_Buddha.obj.gz`.
 fn name_of(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let end = name.find('.').filter(|&dot| dot > 0).unwrap_or(name.len());
@@ -79,13 +89,13 @@ impl DataMesh {
         mesh
     }
 
-    /// Whether its name says that it is `paper`, or a version of it.
+    /// Returns whether its name is that of `paper`, or of a version of it.
     pub fn is_called(&self, paper: &str) -> bool {
         let name = self.name.to_lowercase().replace(['_', ' '], "-");
         name == paper || name.strip_prefix(paper).is_some_and(|rest| rest.starts_with('-'))
     }
 
-    /// Whether it has the counts of `paper`.
+    /// Returns whether it has the counts of `paper`.
     pub fn has_counts_of(&self, paper: &PaperMesh) -> bool {
         self.problem.is_none() && (self.vertices, self.genus) == (paper.vertices, paper.genus)
     }

@@ -1,10 +1,10 @@
-//! A sheet of pixels on which charts are drawn, by any backend of `plotters` and at any scale.
+//! A canvas of pixels on which charts are drawn, by any backend of `plotters` and at any scale.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::chart::{Look, Mark};
+use crate::algorithms::{Look, Mark};
 
 /// The family of all text: the font that is part of the program, then what a browser may have.
 pub const FAMILY: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
@@ -13,56 +13,56 @@ pub const FAMILY: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
 pub const INK: RGBColor = RGBColor(34, 34, 34);
 /// Colour of grid lines.
 pub const GRID: RGBColor = RGBColor(221, 221, 221);
-/// Colour of the sheet.
+/// Colour of the canvas.
 pub const PAPER: RGBColor = RGBColor(255, 255, 255);
 
-/// What drawing gives.
+/// Result of drawing.
 pub type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
 
-/// A sheet; lengths and sizes of text are in units of `scale` pixels, positions in pixels.
-pub struct Sheet<'a, DB: DrawingBackend> {
-    /// Where it is drawn.
+/// A canvas; lengths and sizes of text are in units of `scale` pixels, positions in pixels.
+pub struct Canvas<'a, DB: DrawingBackend> {
+    /// Its pixels.
     pub area: &'a DrawingArea<DB, Shift>,
     /// Pixels in a unit.
     pub scale: i32,
 }
 
-/// A colour of the palette.
+/// Converts a colour of the palette.
 pub fn colour([red, green, blue]: [u8; 3]) -> RGBColor {
     RGBColor(red, green, blue)
 }
 
-impl<DB: DrawingBackend> Sheet<'_, DB> {
+impl<DB: DrawingBackend> Canvas<'_, DB> {
     /// Writes `text` beside a place: `left`, `middle` or `right` of the text is there.
     pub fn text(&self, text: &str, at: (i32, i32), size: i32, side: HPos) -> Drawn<DB> {
         let style = self.style(size).pos(Pos::new(side, VPos::Center));
         self.area.draw(&Text::new(text, at, style))
     }
 
-    /// Text of that size.
+    /// Returns the style of text of that size.
     pub fn style(&self, size: i32) -> TextStyle<'static> {
         (FAMILY, size * self.scale).into_font().color(&INK)
     }
 
-    /// Width of a text in pixels.
+    /// Returns the width of a text in pixels.
     pub fn width(&self, text: &str, size: i32) -> i32 {
         let found = self.area.estimate_text_size(text, &self.style(size));
         found.map_or(0, |(width, _)| width as i32)
     }
 
-    /// A line through places, `width` tenths of a unit wide.
+    /// Draws a line through places, `width` tenths of a unit wide.
     pub fn line(&self, places: Vec<(i32, i32)>, paint: RGBColor, width: i32) -> Drawn<DB> {
         let stroke_width = (width * self.scale / 10).max(1) as u32;
         let style = ShapeStyle { color: paint.to_rgba(), filled: false, stroke_width };
         self.area.draw(&PathElement::new(places, style))
     }
 
-    /// A filled rectangle.
+    /// Draws a filled rectangle.
     pub fn bar(&self, corners: [(i32, i32); 2], paint: RGBColor) -> Drawn<DB> {
         self.area.draw(&Rectangle::new(corners, paint.filled()))
     }
 
-    /// A mark around a place; `hollow` for what is not the paper's own mesh.
+    /// Draws a mark around a place; `hollow` for what is not the paper's own mesh.
     pub fn mark(&self, (x, y): (i32, i32), look: Look, hollow: bool) -> Drawn<DB> {
         let paint = colour(look.colour);
         let radius = 5 * self.scale;

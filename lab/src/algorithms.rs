@@ -1,0 +1,114 @@
+//! The facts that experiments and reports need of each algorithm: one row an algorithm.
+//!
+//! The costs were measured on two cores at 2 to 3 GHz; they decide about estimates only.
+
+/// Mark of a point in a plot; each differs from the others without its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// A disc.
+    Circle,
+    /// A square on its side.
+    Square,
+    /// A triangle on its side.
+    Up,
+    /// A triangle on its tip.
+    Down,
+    /// A square on its tip.
+    Diamond,
+    /// Two strokes.
+    Cross,
+}
+
+/// Colour and mark in plots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// Colour of Okabe and Ito's palette, which no common colour blindness confounds.
+    pub colour: [u8; 3],
+    /// Mark of every point.
+    pub mark: Mark,
+}
+
+/// Okabe and Ito's palette (*Color Universal Design*, 2008), without its yellow, which is hardly
+/// visible on white.
+pub const ORANGE: [u8; 3] = [230, 159, 0];
+/// Of the same palette.
+pub const SKY: [u8; 3] = [86, 180, 233];
+/// Of the same palette.
+pub const GREEN: [u8; 3] = [0, 158, 115];
+/// Of the same palette.
+pub const BLUE: [u8; 3] = [0, 114, 178];
+/// Of the same palette.
+pub const VERMILION: [u8; 3] = [213, 94, 0];
+/// Of the same palette.
+pub const PURPLE: [u8; 3] = [204, 121, 167];
+/// For the papers' own numbers.
+pub const GREY: [u8; 3] = [110, 110, 110];
+
+/// What is known of an algorithm, a variant being one of its own.
+#[derive(Debug)]
+pub struct AlgorithmFacts {
+    /// Name in experiment files and records; a variant follows after a space.
+    pub name: &'static str,
+    /// Name in the papers, with what is not as published.
+    pub label: &'static str,
+    /// Look in plots.
+    pub look: Look,
+    /// Whether the quads that it makes are drawn.
+    pub is_pictured: bool,
+    /// Seconds for each triangle, augmentation excluded.
+    pub seconds: f64,
+    /// Bytes for each triangle.
+    pub bytes: f64,
+    /// Unpaired triangles, column (c): for each triangle, for each handle, and once.
+    pub unpaired: [f64; 3],
+}
+
+/// Every algorithm, those of the papers first: the order of tables and plots.
+static ALGORITHMS: [AlgorithmFacts; 10] = [
+    row("sg", "SG", (ORANGE, Mark::Circle), true, (0.15e-6, 120.0), [0.125, 0.0, 0.0]),
+    row("ps", "PS", (BLUE, Mark::Square), true, (0.15e-6, 120.0), [0.001, 0.0, 0.0]),
+    row("ds", "DS", (GREEN, Mark::Up), true, (25e-6, 450.0), [0.0, 0.0, 0.0]),
+    row("lrs", "LRS", (VERMILION, Mark::Diamond), true, (0.5e-6, 160.0), [0.0, 12.0, 4.0]),
+    row(
+        "lrs few-flips",
+        "LRS few-flips",
+        (PURPLE, Mark::Cross),
+        true,
+        (0.8e-6, 160.0),
+        [0.0, 12.0, 4.0],
+    ),
+    row("gw", "GW", (SKY, Mark::Down), false, (2.4e-6, 120.0), [0.0, 0.0, 0.0]),
+    row("tq", "TQ", (GREY, Mark::Circle), true, (0.15e-6, 120.0), [0.0, 0.0, 2.0]),
+    row("rs", "RS", (BLUE, Mark::Square), false, (0.15e-6, 120.0), [0.0; 3]),
+    row("schipper", "S", (VERMILION, Mark::Diamond), false, (0.7e-6, 120.0), [0.0; 3]),
+    row("brute-force", "BF", (GREEN, Mark::Up), false, (1.0e-6, 120.0), [0.0; 3]),
+];
+
+const fn row(
+    name: &'static str,
+    label: &'static str,
+    (colour, mark): ([u8; 3], Mark),
+    is_pictured: bool,
+    (seconds, bytes): (f64, f64),
+    unpaired: [f64; 3],
+) -> AlgorithmFacts {
+    let look = Look { colour, mark };
+    AlgorithmFacts { name, label, look, is_pictured, seconds, bytes, unpaired }
+}
+
+impl AlgorithmFacts {
+    /// Returns the facts of the algorithm of that name, if it has a row.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        ALGORITHMS.iter().find(|facts| facts.name == name)
+    }
+
+    /// Returns every row, in the order of tables and plots.
+    pub fn all() -> &'static [Self] {
+        &ALGORITHMS
+    }
+
+    /// Returns the row's number, from 0.
+    pub fn rank(&self) -> usize {
+        ALGORITHMS.iter().position(|facts| facts.name == self.name).unwrap_or(ALGORITHMS.len())
+    }
+}

@@ -1,0 +1,165 @@
+//! What fixes a mesh: recipes, and the kinds of meshes in records.
+
+use std::path::PathBuf;
+
+use triquad::mesh::{Mesh, MeshError};
+use triquad::random::Random;
+use triquad::simplify::{Simplifier, SimplifyError};
+use triquad::triangulation::Triangulation;
+use triquad_generators::box_mesh::{BoxShape, ImpossibleBox};
+use triquad_generators::{Surface, organic};
+
+/// Where a mesh comes from, as records say it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MeshKind {
+    /// The scan itself, or a mesh of the user's.
+    #[default]
+    Real,
+    /// Made to order with exact counts.
+    Generated,
+    /// Simplified from a generated mesh.
+    Simplified,
+    /// Made in place of a scan that was not at hand: its counts, another shape.
+    StandIn,
+}
+
+impl MeshKind {
+    /// Returns the name in records.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Real => "real",
+            Self::Generated => "generated",
+            Self::Simplified => "simplified",
+            Self::StandIn => "stand-in",
+        }
+    }
+
+    /// Returns `†` for a stand-in, nothing for the others.
+    pub fn dagger(self) -> &'static str {
+        if self == Self::StandIn { "†" } else { "" }
+    }
+}
+
+/// Vertices of a stand-in's source for each that is left, at least.
+const OVERSAMPLING: u64 = 3;
+
+/// Everything that fixes the bytes of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recipe {
+    /// A box with shafts (Lemos et al., section 4; Ramaswami-Siqueira, section 5.1).
+    Box(BoxShape),
+    /// A box simplified to so many vertices.
+    SimplifiedBox {
+        /// The box.
+        of: BoxShape,
+        /// Vertices that are left.
+        vertices: u32,
+    },
+    /// A surface like a scan: smooth, irregular, simplified from three times as many vertices or
+    /// from the fewest that resolve its shape ([`organic::minimum_vertices`]), whichever is more.
+    StandIn {
+        /// Vertices that are left.
+        vertices: u32,
+        /// Genus.
+        genus: u32,
+        /// Seed of its shape.
+        seed: u64,
+    },
+}
+
+/// Why a mesh cannot be made.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GenerateError {
+    /// There is no such box.
+    #[error("{0}")]
+    Box(#[from] ImpossibleBox),
+    /// Simplification cannot get there.
+    #[error("{0}")]
+    Simplify(#[from] SimplifyError),
+    /// A stand-in's source would have too many half-edges.
+    #[error("the stand-in would be simplified from {half_edges} half-edges, more than 2^31")]
+    TooLarge {
+        /// How many it would have.
+        half_edges: u64,
+    },
+    /// The cache could not be written.
+    #[error("the cache in {}: {error}", folder.display())]
+    Cache {
+        /// Where the cache is.
+        folder: PathBuf,
+        /// What is wrong.
+        error: MeshError,
+    },
+}
+
+impl Recipe {
+    /// Makes the mesh. Linear time for a box; simplification takes O(n log n) for the n vertices
+    /// that it begins with.
+    ///
+    /// # Errors
+    /// There is no such mesh, and why.
+    pub fn make(&self) -> Result<Mesh, GenerateError> {
+        match *self {
+            Self::Box(shape) => Ok(into_list(shape.surface()?)),
+            Self::SimplifiedBox { of, vertices } => {
+                simplified(&into_list(of.surface()?), &[], vertices, |_, _| Ok(()))
+            }
+            Self::StandIn { vertices, genus, seed } => {
+                simplified(&stand_in_source(vertices, genus, seed)?, &[], vertices, |_, _| Ok(()))
+            }
+        }
+    }
+
+    /// Returns a name that no other recipe has, fit for a file.
+    pub fn key(&self) -> String {
+        let of_box = |b: BoxShape| format!("box-{}-{}-{}", b.vertices, b.cavities, b.holes);
+        match *self {
+            Self::Box(shape) => of_box(shape),
+            Self::SimplifiedBox { of, vertices } => format!("{}-to-{vertices}", of_box(of)),
+            Self::StandIn { vertices, genus, seed } => {
+                format!("stand-in-{vertices}-{genus}-{seed}")
+            }
+        }
+    }
+
+    /// Returns whether making the mesh takes longer than reading it from a file.
+    pub(super) fn is_costly(&self) -> bool {
+        !matches!(self, Self::Box(_))
+    }
+}
+
+pub(super) fn into_list(surface: Surface) -> Mesh {
+    Mesh::from_triangles(surface.positions, surface.triangles)
+}
+
+fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<Mesh, GenerateError> {
+    let source = (OVERSAMPLING * u64::from(vertices)).max(organic::minimum_vertices(genus));
+    // E = 3 (V - 2 + 2g) by Euler's formula.
+    let half_edges = 6 * (source - 2 + 2 * u64::from(genus));
+    if half_edges > 1 << 31 {
+        return Err(GenerateError::TooLarge { half_edges });
+    }
+    let source = u32::try_from(source).expect("there are fewer vertices than half-edges");
+    let mut random = Random::stream(seed, &["stand-in", &vertices.to_string(), &genus.to_string()]);
+    Ok(into_list(organic::surface(genus, source, &mut |bound| random.below(bound))))
+}
+
+/// Simplifies `list` to `vertices`, and tells `on_the_way` what it is at each of `stops`,
+/// descending.
+pub(super) fn simplified(
+    list: &Mesh,
+    stops: &[u32],
+    vertices: u32,
+    mut on_the_way: impl FnMut(u32, Mesh) -> Result<(), GenerateError>,
+) -> Result<Mesh, GenerateError> {
+    let triangulation = Triangulation::build(list).expect("what is generated is a triangulation");
+    let mut simplifier = Simplifier::new(triangulation, list.positions());
+    for &stop in stops {
+        simplifier.reduce_to(stop as usize)?;
+        on_the_way(stop, simplifier.result().0)?;
+    }
+    simplifier.reduce_to(vertices as usize)?;
+    Ok(simplifier.result().0)
+}

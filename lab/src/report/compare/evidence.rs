@@ -1,0 +1,148 @@
+//! A claim's number on every mesh, from records.
+
+use super::bootstrap::{self, Sample};
+use crate::experiment::{Job, Measured};
+use crate::meshes::MeshKind;
+use crate::report::claims::{Claim, Expression, Factor, MeshNumber, Need};
+use crate::report::number::significant;
+use crate::report::summary::{Cell, Summary};
+use triquad::random::Random;
+
+/// Seconds below which a time says too little to be compared.
+const SHORTEST: f64 = 1e-4;
+
+/// A claim's number, mesh by mesh.
+#[derive(Default)]
+pub struct Evidence {
+    /// Where it can be told, in the order of the meshes.
+    pub points: Vec<MeshNumber>,
+    /// What is special about some of them.
+    pub remarks: Vec<(String, String)>,
+    /// The other meshes, with the reason.
+    pub missing: Vec<(String, String)>,
+}
+
+/// Why there is no number.
+#[derive(Debug, thiserror::Error)]
+enum NoNumberError {
+    #[error("divided by 0")]
+    DividedByZero,
+    #[error("{}, but a stand-in, not the paper's mesh", significant(*.0))]
+    StandIn(f64),
+    #[error("not run")]
+    NotRun,
+    #[error("{0} not planned")]
+    NotPlanned(&'static str),
+    #[error("{algorithm}: {number} below 0.1 ms")]
+    TooShort { algorithm: &'static str, number: &'static str },
+    #[error("{algorithm} without {number}")]
+    Without { algorithm: &'static str, number: &'static str },
+    #[error("{algorithm}: {outcomes}")]
+    Failed { algorithm: &'static str, outcomes: String },
+}
+
+/// Returns the number of `claim` on its meshes, as far as the records have it.
+pub fn evidence(claim: &Claim, summary: &Summary) -> Evidence {
+    let mut evidence = Evidence::default();
+    for mesh in claim.mesh_names() {
+        let view = ClaimOnMesh { summary, claim, mesh: &mesh };
+        match view.point() {
+            Ok(point) => {
+                evidence.points.push(point);
+                evidence.remarks.extend(view.remark().map(|remark| (mesh.clone(), remark)));
+            }
+            Err(why) => evidence.missing.push((mesh.clone(), why.to_string())),
+        }
+    }
+    evidence
+}
+
+/// A claim on one of its meshes.
+struct ClaimOnMesh<'a> {
+    summary: &'a Summary,
+    claim: &'a Claim,
+    mesh: &'a str,
+}
+
+impl<'a> ClaimOnMesh<'a> {
+    /// Returns the number, or why there is none.
+    fn point(&self) -> Result<MeshNumber, NoNumberError> {
+        let samples = self.samples(&self.claim.value)?;
+        let along = match self.claim.predicate.along() {
+            Some(along) => bootstrap::product(&self.samples(along)?),
+            None => 0.0,
+        };
+        let random = Random::stream(0, &["bootstrap", &self.claim.id, self.mesh]);
+        let value = bootstrap::product(&samples);
+        if !value.is_finite() {
+            return Err(NoNumberError::DividedByZero);
+        }
+        if self.claim.needs.contains(&Need::PaperMesh) && self.cells().any(Cell::is_stand_in) {
+            return Err(NoNumberError::StandIn(value));
+        }
+        Ok(MeshNumber {
+            mesh: self.mesh.to_owned(),
+            value,
+            interval: bootstrap::interval(&samples, random),
+            along,
+            triangles: self.of_mesh(|measured| measured.triangles),
+            genus: self.of_mesh(|measured| measured.genus),
+        })
+    }
+
+    fn samples<'e>(
+        &self,
+        expression: &'e Expression,
+    ) -> Result<Vec<(&'e Factor, Sample)>, NoNumberError> {
+        let sample = |factor: &'e Factor| Ok((factor, self.sample(factor)?));
+        expression.factors.iter().map(sample).collect()
+    }
+
+    /// Returns the runs of a factor, by repetition.
+    fn sample(&self, factor: &Factor) -> Result<Sample, NoNumberError> {
+        let Some(job) = factor.job else {
+            let value = self.cells().flat_map(|cell| &cell.runs).find_map(factor.number.of);
+            return value.map(|value| vec![(0, value)]).ok_or(NoNumberError::NotRun);
+        };
+        let (algorithm, number) = (job.algorithm(), factor.number.name);
+        let cell = self.cell(job).ok_or(NoNumberError::NotPlanned(algorithm))?;
+        let sample: Sample = cell
+            .ok_runs()
+            .filter_map(|run| Some((run.repetition, (factor.number.of)(run)?)))
+            .filter(|(_, value)| value.is_finite())
+            .collect();
+        let mean = sample.iter().map(|run| run.1).sum::<f64>() / sample.len() as f64;
+        if factor.number.is_time && mean < SHORTEST {
+            Err(NoNumberError::TooShort { algorithm, number })
+        } else if !sample.is_empty() {
+            Ok(sample)
+        } else if cell.ok_runs().next().is_some() {
+            Err(NoNumberError::Without { algorithm, number })
+        } else {
+            Err(NoNumberError::Failed { algorithm, outcomes: cell.outcome_text() })
+        }
+    }
+
+    fn cell(&self, job: Job) -> Option<&'a Cell> {
+        self.summary.cell(self.claim.experiment, self.mesh, job)
+    }
+
+    fn cells(&self) -> impl Iterator<Item = &'a Cell> {
+        self.summary.of_mesh(self.claim.experiment, self.mesh)
+    }
+
+    fn of_mesh(&self, count: fn(&Measured) -> Option<u64>) -> f64 {
+        self.cells().find_map(|cell| cell.count(count)).map_or(f64::NAN, |count| count as f64)
+    }
+
+    /// Returns what a reader must know of the number beside it.
+    fn remark(&self) -> Option<String> {
+        let kind = self.cells().next().and_then(|cell| cell.mesh_kind).map(MeshKind::id);
+        let jobs = self.claim.value.factors.iter().filter_map(|factor| factor.job);
+        let mut cells = jobs.filter_map(|job| self.cell(job));
+        let extrapolated = cells.any(Cell::is_extrapolated) && self.claim.is_about_times();
+        let remarks = [kind, extrapolated.then_some("extrapolated")];
+        let remarks: Vec<&str> = remarks.into_iter().flatten().collect();
+        (!remarks.is_empty()).then(|| remarks.join(", "))
+    }
+}

@@ -1,0 +1,121 @@
+//! The files of a report, written beside the records.
+
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use super::compare::{self, Comparison};
+use super::defects::Defect;
+use super::page::{self, Parts, PictureFile};
+use super::summary::Summary;
+use super::tables::{self, ReportTable};
+use super::{plots, plots::Plot};
+use crate::experiment::Results;
+use crate::pictures::PictureRecord;
+use triquad::atomic_file::AtomicFile;
+
+/// How much of a report is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Tables and verdicts: soon done.
+    Tables,
+    /// Plots and the page too.
+    Everything,
+}
+
+/// A file of a report.
+struct ReportFile {
+    /// Path within the results folder, parts separated by `/`.
+    name: String,
+    bytes: Vec<u8>,
+}
+
+/// Outcome of writing a report.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// The page, if it was written.
+    pub page: Option<PathBuf>,
+    /// What is missing or damaged.
+    pub defects: Vec<Defect>,
+}
+
+/// A file of a report that cannot be written.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {error}", path.display())]
+pub struct ReportError {
+    path: PathBuf,
+    error: io::Error,
+}
+
+/// Name of the page's file.
+const PAGE: &str = "index.html";
+
+/// Writes the report on `results` into `folder`. The same records and pictures give the same bytes.
+///
+/// # Errors
+/// A file cannot be written; then none of the files is half written, and none is replaced unless
+/// all of them could be written.
+pub fn write(folder: &Path, results: &Results, extent: Extent) -> Result<Report, ReportError> {
+    let summary = Summary::new(results);
+    let (tables, comparison) = (tables::all(&summary), compare::judge(&summary));
+    let defects = Defect::all(results, &summary);
+    let mut files = table_files(&tables, &comparison);
+    if extent == Extent::Everything {
+        let (plots, pictures) = (plots::all(&summary), pictures_in(folder));
+        let parts = Parts {
+            results,
+            summary: &summary,
+            tables: &tables,
+            comparison: &comparison,
+            plots: &plots,
+            pictures: &pictures,
+            defects: &defects,
+        };
+        files.push(ReportFile { name: PAGE.into(), bytes: page::render(&parts).into_bytes() });
+        files.extend(plots.into_iter().flat_map(plot_files));
+    }
+    write_all(folder, &files)?;
+    let page = (extent == Extent::Everything).then(|| folder.join(PAGE));
+    Ok(Report { page, defects })
+}
+
+fn table_files(tables: &[ReportTable], comparison: &Comparison) -> Vec<ReportFile> {
+    let table =
+        |table: &ReportTable| ReportFile { name: table.file.into(), bytes: table.csv().into() };
+    let mut files: Vec<ReportFile> = tables.iter().map(table).collect();
+    files.push(ReportFile { name: "compare.csv".into(), bytes: comparison.csv().into() });
+    files
+}
+
+fn plot_files(plot: Plot) -> [ReportFile; 3] {
+    let file =
+        |ending: &str, bytes| ReportFile { name: format!("plots/{}.{ending}", plot.stem), bytes };
+    [file("svg", plot.svg.into()), file("png", plot.png), file("csv", plot.csv.into())]
+}
+
+/// Reads the pictures beside the records; those without a file are left out.
+fn pictures_in(folder: &Path) -> Vec<PictureFile> {
+    let folder = folder.join("pictures");
+    let read = |record: PictureRecord| {
+        let png = std::fs::read(folder.join(&record.file)).ok()?;
+        Some(PictureFile { record, png })
+    };
+    PictureRecord::read_all(&folder).into_iter().filter_map(read).collect()
+}
+
+/// Writes all files before any of them takes the place of an older one.
+fn write_all(folder: &Path, files: &[ReportFile]) -> Result<(), ReportError> {
+    let mut pending = Vec::new();
+    for file in files {
+        let path = folder.join(&file.name);
+        let failure = |error| ReportError { path: path.clone(), error };
+        let parent = path.parent().expect("a file within the folder");
+        std::fs::create_dir_all(parent).map_err(failure)?;
+        let mut out = AtomicFile::create(&path).map_err(failure)?;
+        out.write_all(&file.bytes).and_then(|()| out.flush()).map_err(failure)?;
+        pending.push((path, out));
+    }
+    let commit = |(path, out): (PathBuf, AtomicFile)| {
+        out.commit().map_err(|error| ReportError { path, error })
+    };
+    pending.into_iter().try_for_each(commit)
+}

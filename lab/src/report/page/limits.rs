@@ -1,0 +1,36 @@
+//! What must be known before anything is read, and what cannot be concluded.
+
+use super::parts::Parts;
+use crate::report::notes::Note;
+use crate::report::summary::Summary;
+
+/// Returns what must be known before anything is read.
+pub fn warnings(parts: &Parts, defects: &[String]) -> Vec<String> {
+    if parts.results.records.is_empty() {
+        return vec!["there is no record of any run; everything below is empty.".into()];
+    }
+    let notes = Note::on(parts.summary.cells().iter());
+    let scales = notes.iter().filter(|note| matches!(note, Note::Scale(_)));
+    let mut warnings: Vec<String> = scales.map(Note::sentence).collect();
+    if !defects.is_empty() {
+        let count = defects.len();
+        warnings.push(format!("{count} things are missing or damaged; they are listed below."));
+    }
+    warnings
+}
+
+/// Returns what cannot be concluded.
+pub fn limits(summary: &Summary) -> Vec<String> {
+    let always = [
+        "Seconds of different machines are shown beside each other and not compared: counts are, \
+         and ratios of times within one machine.",
+        "DS follows the idea of Diks and Stanczyk; their full text was not at hand.",
+        "The box has the papers' numbers of vertices, cavities and holes; its proportions, and the \
+         simplification that makes smaller ones, are ours.",
+        "A difference between two means is as certain as the spread of their runs is small: the \
+         files have medians and quartiles.",
+    ];
+    let notes = Note::on(summary.cells().iter());
+    let shared = notes.iter().filter(|note| !matches!(note, Note::Scale(_) | Note::Incomplete));
+    always.into_iter().map(str::to_owned).chain(shared.map(Note::sentence)).collect()
+}

@@ -1,0 +1,115 @@
+//! Tables 4.3 and 4.4 of the comparison paper: four algorithms, with the augmentation as published.
+
+use super::columns::{self, ColumnOf, Line, column, counterpart, of_cell};
+use super::table::{ReportTable, Value};
+use crate::experiment::{Job, RunRecord};
+use crate::paper::{PairingRow, Paper, Table, TableKind};
+use crate::report::notes::Note;
+use crate::report::number::quotient;
+use crate::report::statistics::Statistics;
+use crate::report::summary::{Cell, Summary};
+
+/// A job of the paper, and its printed row if there is one.
+struct PrintedJob {
+    job: Job,
+    row: Option<PairingRow>,
+}
+
+/// Makes Tables 4.3, 4.4(i) and 4.4(ii).
+pub fn all(summary: &Summary) -> impl Iterator<Item = ReportTable> {
+    Table::of_kind(Paper::Comparison, TableKind::Pairings).map(|printed| table(summary, printed))
+}
+
+fn table(summary: &Summary, printed: Table) -> ReportTable {
+    let (mut lines, mut is_complete) = (Vec::new(), true);
+    for (mesh, job, row) in printed.pairing_jobs() {
+        let cell = summary.cell(Paper::Comparison, &mesh, job);
+        is_complete &= row.is_some();
+        if row.is_some() || cell.is_some() {
+            let printed = Some(PrintedJob { job, row });
+            let line = Line::new(summary, Paper::Comparison, &mesh, printed);
+            lines.push(Line { cells: vec![cell], ..line });
+        }
+    }
+    let job = |line: &Line<PrintedJob>| line.paper.as_ref().map(|printed| printed.job);
+    let algorithm = move |line: &Line<_>| job(line).map_or(Value::Missing, Value::Algorithm);
+    let mut columns = vec![column("algorithm", algorithm)];
+    let [pairing, percent, unpaired, augmentation, total] = five_columns();
+    columns.extend([
+        beside(pairing, Value::Seconds, |row| row.pairing_seconds).with_ratio(),
+        beside(percent, Value::Percent, |row| row.paired_percent),
+        beside(unpaired, Value::Mean, |row| row.unpaired_triangles).with_ratio(),
+        beside(augmentation, Value::Seconds, |row| row.augmentation_seconds),
+        beside(total, Value::Seconds, |row| row.total_seconds).with_ratio(),
+    ]);
+    columns.extend(columns::mesh());
+    columns.extend(spread_columns());
+    let mut table = counterpart(printed, columns, &lines, |printed| {
+        printed.row.as_ref().map_or("", |row| &row.errata)
+    });
+    if !is_complete {
+        table.notes.push(Note::TwoOfFour);
+    }
+    table.notes.push(Note::OtherMachine);
+    table
+}
+
+fn beside(
+    column: ColumnOf<'static, PrintedJob>,
+    unit: fn(f64) -> Value,
+    number: fn(&PairingRow) -> f64,
+) -> ColumnOf<'static, PrintedJob> {
+    column.printed(move |printed| {
+        printed.row.as_ref().map_or(Value::Missing, |row| unit(number(row)))
+    })
+}
+
+/// Returns the columns that the paper has too: means over the runs that ended well.
+pub fn five_columns<P: 'static>() -> [ColumnOf<'static, P>; 5] {
+    [
+        columns::mean("pairing_seconds", 0, Value::Seconds, |run| run.measured.pairing_seconds)
+            .heading("(a) pairing, s"),
+        columns::mean("paired_percent", 0, Value::Percent, |run| run.measured.paired_percent)
+            .heading("(b) paired, %"),
+        columns::mean_count("unpaired_triangles", 0, |measured| measured.unpaired_triangles)
+            .heading("(c) unpaired"),
+        columns::mean(
+            "augmentation_seconds",
+            0,
+            Value::Seconds,
+            RunRecord::whole_augmentation_seconds,
+        )
+        .heading("(d) augmentation, s")
+        .starred(&[0]),
+        columns::mean("total_seconds", 0, Value::Seconds, RunRecord::whole_total_seconds)
+            .heading("(e) total, s")
+            .starred(&[0]),
+    ]
+}
+
+/// Returns the columns beside these: runs, spread, flips, outcomes.
+pub fn spread_columns<P: 'static>() -> Vec<ColumnOf<'static, P>> {
+    let total = |name, number: fn(&Statistics) -> f64| {
+        of_cell(name, 0, move |cell| {
+            let total = cell.statistics(RunRecord::whole_total_seconds)?;
+            Some(Value::Seconds(number(&total)))
+        })
+    };
+    vec![
+        columns::ok_runs(0),
+        total("total_seconds_median", |total| total.median).heading("(e) median, s").starred(&[0]),
+        total("total_seconds_lower_quartile", |total| total.lower_quartile).hidden(),
+        total("total_seconds_upper_quartile", |total| total.upper_quartile).hidden(),
+        columns::mean_count("edge_flips", 0, |measured| measured.edge_flips),
+        of_cell("edge_flips_percent", 0, flipped_percent),
+        columns::outcomes("outcomes", 0),
+        columns::extrapolated("extrapolated", 0),
+    ]
+}
+
+/// Returns the share of edges that were flipped.
+pub fn flipped_percent(cell: &Cell) -> Option<Value> {
+    let flips = cell.mean_count(|measured| measured.edge_flips);
+    let edges = cell.count(|measured| measured.edges).map(|edges| edges as f64);
+    quotient(flips, edges).map(|share| Value::Ratio(100.0 * share))
+}
