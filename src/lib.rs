@@ -1,26 +1,60 @@
-//! All-quadrilateral meshes from triangulations of closed surfaces.
+//! All-quadrilateral meshes from triangulations of closed surfaces, on the same vertices.
 //!
-//! Any triangulation of a closed surface can be turned into a quadrangulation with the same vertices
-//! by pairing up edge-adjacent triangles perfectly: the dual graph is 3-regular and bridgeless, and
-//! such a graph has a perfect matching (Petersen's theorem). The call is [`convert()`]; the parts
-//! follow Lemos, Ramaswami and Siqueira, *An Experimental Comparison of Algorithms for Converting
-//! Triangulations of Closed Surfaces into Quadrangulations*:
+//! Two triangles that share an edge make a quad when that edge is removed. The dual graph of a
+//! triangulated closed surface is 3-regular and bridgeless, so its triangles can be paired up
+//! perfectly (Petersen's theorem). [`Converter`] finds such a pairing and checks the result:
 //!
-//! | module | what | source |
+#![cfg_attr(feature = "files", doc = "```no_run")]
+#![cfg_attr(not(feature = "files"), doc = "```ignore")]
+//! let mesh = triquad::Mesh::read("in.obj")?;
+//! let quads = triquad::Converter::new().seed(7).run(&mesh)?;
+//! quads.mesh().write("out.obj")?;
+//! println!("{}", quads.report());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # I want to …
+//!
+//! | task | item |
+//! |---|---|
+//! | read or write a mesh file | [`Mesh`], [`mesh`] |
+//! | convert arrays that I have in memory | [`Mesh::from_triangles`], [`Converter`] |
+//! | see what is wrong with a mesh | [`Survey::new`] |
+//! | choose how triangles are paired | [`Converter::algorithm`], [`pairing`] |
+//! | write a pairing algorithm | [`DualGraph`], [`Matching`], [`make_maximum`], `examples/own_pairing.rs` |
+//! | check somebody else's quads | [`check`] |
+//! | reduce a mesh to so many vertices, with the same topology | [`simplify`] |
+//! | contract edges until none can be contracted | [`irreducible`] |
+//!
+//! # Features
+//!
+//! * `files` (default): mesh files. Without it the crate has the algorithms and three dependencies.
+//! * `serde`: ids, names, counts and reports as serde data.
+//!
+//! # Modules
+//!
+//! The algorithms are those of Lemos, Ramaswami and Siqueira, *An Experimental Comparison of
+//! Algorithms for Converting Triangulations of Closed Surfaces into Quadrangulations* (column
+//! "source"), and of Ramaswami and Siqueira, *A fast algorithm for computing irreducible
+//! triangulations of closed surfaces*.
+//!
+//! | module | content | source |
 //! |---|---|---|
-//! | [`mesh`] | files: OBJ, PLY, OFF, STL → [`Mesh`](mesh::Mesh), unchecked (feature `files`) | |
-//! | [`triangulation`] | half-edges, and the laws that make a face list a triangulation | section 2 |
-//! | [`irreducible`] | contraction until nothing can be contracted: RS, Schipper's, brute force | |
+//! | [`atomic_file`] | files that appear only when they are complete | |
+//! | [`mesh`] | OBJ, PLY, OFF, STL to [`Mesh`] and back; nothing is judged | |
+//! | [`random`], [`clock`] | seeded random numbers; seconds, scripted in tests | |
+//! | [`triangulation`] | half-edges, and the laws that make a mesh a triangulation | section 2 |
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
+//! | [`matching`] | alternating trees and blossoms | |
 //! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
-//! | [`dynamic`] | link-cut trees, Euler-tour trees, dynamic connectivity | for section 3.2 |
+//! | [`irreducible`] | contraction until no edge can be contracted: RS, Schipper's, brute force | |
 //! | [`pairing`] | initial pairings: SG, PS, DS, GW, LRS, ours | section 3 |
-//! | [`quadrangulation`] | the quads, and a check that trusts nothing | section 2 |
-//! | [`simplify`] | fewer vertices, exactly as many as asked for, same topology | section 4 |
-//! | [`convert`](mod@convert) | the chain, timed | section 4 |
+//! | [`quadrangulation`] | the quads, and a check independent of their construction | section 2 |
+//! | [`simplify`] | exactly as many vertices as asked for, same topology | section 4 |
+//! | [`convert`](mod@convert) | the chain, counted and timed | section 4 |
 //!
-//! A module uses only what stands above it. One type per stage is the proof that the stage before
-//! was done: `Mesh → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.
+//! A module uses only modules above it. One type per stage is the proof that the stage before is
+//! done: `Mesh → Triangulation → InitialPairing → PerfectMatching → Quadrangulation`.
 
 #[cfg(feature = "files")]
 pub mod atomic_file;

@@ -17,7 +17,7 @@ use std::process::Command;
 
 use serde_json::Value;
 use triquad::irreducible::Contractor;
-use triquad::mesh::{self, Mesh, Output};
+use triquad::mesh::{Mesh, Output};
 use triquad::random::Random;
 use triquad::{Algorithm, DualGraph, Triangulation};
 use triquad_generators::{grids, random};
@@ -130,7 +130,7 @@ fn bench(path: &Path, folder: &Path) -> Result<()> {
 
 /// The seconds that petgraph's maximum matching takes on the dual graph.
 fn petgraph_seconds(path: &Path) -> Result<f64> {
-    let triangulation = Triangulation::build(&mesh::read(path)?)?;
+    let triangulation = Triangulation::build(&Mesh::read(path)?)?;
     let dual = DualGraph::new(&triangulation);
     let graph =
         petgraph::graph::UnGraph::<(), ()>::from_edges(edges(&dual).map(<(u32, u32)>::from));
@@ -167,7 +167,7 @@ fn lemon_seconds(program: &Path, variant: &str, dual: &Path) -> Result<f64> {
 }
 
 fn write_dual(path: &Path, dual: &Path) -> Result<()> {
-    let triangulation = Triangulation::build(&mesh::read(path)?)?;
+    let triangulation = Triangulation::build(&Mesh::read(path)?)?;
     let graph = DualGraph::new(&triangulation);
     let mut file = std::io::BufWriter::new(std::fs::File::create(dual)?);
     let counts = [graph.len() as u32, edges(&graph).count() as u32];

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use triquad::mesh::{self, Mesh};
+use triquad::Mesh;
 use triquad_render::{Camera, Lines, Picture, Polygons, Section};
 
 /// Draws a mesh file as PNG.
@@ -54,7 +54,7 @@ fn main() -> ExitCode {
 }
 
 fn draw(options: &Options) -> Result<(), Box<dyn std::error::Error>> {
-    let mesh = mesh::read(&options.input)?;
+    let mesh = Mesh::read(&options.input)?;
     let image = Picture {
         width: options.size[0],
         height: options.size[1],

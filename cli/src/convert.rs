@@ -15,8 +15,8 @@ use crate::targets::{Paths, Targets};
 
 /// Convert a closed triangle mesh into quads on the same vertices
 ///
-/// Every quad is the union of two triangles of the input; no vertex is added, removed or moved, and
-/// the result is checked before it is written. Texture coordinates, normals, groups and materials of
+/// Every quad is the union of two triangles of the input (of another triangulation for lrs, which
+/// flips edges); no vertex is added, removed or moved, and the result is checked before it is written. Texture coordinates, normals, groups and materials of
 /// an OBJ file are carried over to OBJ output.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad convert bunny.ply.gz -o quads.obj\n  \

@@ -3,11 +3,9 @@
 use std::path::PathBuf;
 
 use serde::Serialize;
-use triquad::Mesh;
 use triquad::Triangulation;
 use triquad::clock::{Clock, SystemClock};
 use triquad::irreducible::{Contractor, Irreducible, Order, check_irreducible};
-use triquad::triangulation::VertexId;
 
 use crate::failure::Failure;
 use crate::input::{self, Repairs};
@@ -136,7 +134,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (irreducible, seconds) = clock.time(|| algorithm.reduce(triangulation, order, seed));
     stats.describe(&irreducible);
     status.say("checking what is left");
-    let left = mesh_of(&irreducible, &list);
+    let left = irreducible.mesh(&list);
     let Stats { components, genus, .. } = stats;
     let (verdict, check_seconds) = clock.time(|| check_irreducible(&left, components, genus));
     verdict.map_err(|problem| {
@@ -158,15 +156,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // Not before success: a failure is told in one line.
     input::tell_left_out(&arguments.input, &input::left_out_of_triangles(&list));
     targets.report(&summary_line(arguments, &stats))
-}
-
-/// What is left, with the coordinates that the vertices have in `list`.
-fn mesh_of(irreducible: &Irreducible, list: &Mesh) -> Mesh {
-    let position = |v: &VertexId| list.positions()[v.index()];
-    let positions = irreducible.vertices.iter().map(position).collect();
-    let triangulation = &irreducible.triangulation;
-    let corners = |f| triangulation.corners(f).map(|v| v.index() as u32);
-    Mesh::from_triangles(positions, triangulation.triangles().map(corners).collect())
 }
 
 fn summary_line(arguments: &Arguments, stats: &Stats) -> String {

@@ -16,6 +16,7 @@ mod neighbour_sets;
 mod ramaswami_siqueira;
 mod schipper;
 
+use crate::mesh::Mesh;
 use crate::names::named;
 use crate::random::Random;
 use crate::triangulation::{ShrinkingTriangulation, Triangulation, VertexId};
@@ -84,6 +85,19 @@ pub struct Irreducible {
     pub contractions: usize,
     /// Tests of edges.
     pub counts: Counts,
+}
+
+impl Irreducible {
+    /// Returns the irreducible triangulation with the coordinates of `input`, the mesh it was made
+    /// from. O(n).
+    ///
+    /// # Panics
+    /// If a vertex that is left does not exist in `input`.
+    pub fn mesh(&self, input: &Mesh) -> Mesh {
+        let position = |v: &VertexId| input.positions()[v.index()];
+        let positions = self.vertices.iter().map(position).collect();
+        Mesh::new(positions, self.triangulation.faces())
+    }
 }
 
 impl Contractor {

@@ -196,7 +196,7 @@ fn convert_check_and_info_do_their_work() {
     let info = workshop.succeed("info in.ply");
     assert_contains(&info, &["genus                  1", "closed                 yes"], "info");
     let triangles = workshop.mesh("in.ply");
-    assert_eq!(workshop.mesh("out.obj").faces.len(), triangles.faces().len() / 2);
+    assert_eq!(workshop.mesh("out.obj").faces().len(), triangles.faces().len() / 2);
 }
 
 #[test]
@@ -461,7 +461,7 @@ fn stats_have_all_fields_and_agree_with_each_other() {
                 assert_eq!(stats[field], expected);
             }
             assert_stats_are_consistent(&stats, &surface);
-            assert_eq!(workshop.mesh("out.obj").faces.len() as u64, stats["quads"]);
+            assert_eq!(workshop.mesh("out.obj").faces().len() as u64, stats["quads"]);
         }
     }
 }
@@ -543,12 +543,11 @@ fn mesh_of_all_faults() -> Mesh {
         classic::moebius_strip(7),
     ];
     let surface = blocks.iter().fold(tetrahedron(), |whole, block| beside(&whole, block));
-    let mut mesh = face_list(&surface);
-    mesh.positions()[0][1] = f64::NAN;
-    mesh.faces().push(&[0, 1, 9999]);
-    mesh.faces().push(&[1, 1, 2]);
-    mesh.faces().push(surface.triangles[0].as_slice());
-    mesh.faces().push(&[0, 1, 2, 3]);
+    let (mut positions, mut faces) = face_list(&surface).into_parts();
+    positions[0][1] = f64::NAN;
+    faces.extend([[0, 1, 9999], [1, 1, 2], surface.triangles[0]]);
+    faces.push(&[0, 1, 2, 3]);
+    let mesh = Mesh::new(positions, faces);
     mesh
 }
 
@@ -996,9 +995,7 @@ fn what_cannot_be_made_is_refused_with_the_minimum() {
 fn with_faces(mesh: &Mesh, change: impl FnOnce(&mut Vec<Vec<u32>>)) -> Mesh {
     let mut faces: Vec<Vec<u32>> = mesh.faces().iter().map(<[u32]>::to_vec).collect();
     change(&mut faces);
-    let mut changed = Mesh { faces: Faces::default(), ..mesh.clone() };
-    faces.iter().for_each(|face| changed.faces.push(face));
-    changed
+    mesh.clone().with_faces(Faces::from_iter(faces))
 }
 
 #[test]
@@ -1010,9 +1007,10 @@ fn check_says_no_to_wrong_quads() {
     let good = workshop.mesh("quads.obj");
 
     let mut moved = good.clone();
-    moved.positions[6][2] = f64::from_bits(moved.positions[6][2].to_bits() + 1);
-    let mut one_more = good.clone();
-    one_more.positions.push([5.0; 3]);
+    let last_bit = &mut moved.positions_mut()[6][2];
+    *last_bit = f64::from_bits(last_bit.to_bits() + 1);
+    let more = [good.positions(), &[[5.0; 3]]].concat();
+    let one_more = Mesh::new(more, good.faces().clone());
     // The same vertices in the same places, but numbered another way in the triangles.
     let mut other = mesh.clone();
     let vertices = other.positions.len() as u32;
@@ -1127,13 +1125,16 @@ fn irreducible_keeps_a_few_vertices_where_they_are() {
             );
             assert_eq!(stats["genus"], genus);
             let result = workshop.mesh("out.ply");
-            assert_eq!(stats["result_vertices"], result.positions.len());
-            assert_eq!(stats["result_triangles"], result.faces.len());
-            assert_eq!(stats["result_edges"], 3 * result.faces.len() / 2);
-            assert_eq!(stats["contractions"], vertices - result.positions.len());
+            assert_eq!(stats["result_vertices"], result.positions().len());
+            assert_eq!(stats["result_triangles"], result.faces().len());
+            assert_eq!(stats["result_edges"], 3 * result.faces().len() / 2);
+            assert_eq!(stats["contractions"], vertices - result.positions().len());
             assert_eq!(workshop.json("info out.ply --json", 0)["genus"], genus);
             let mut rest = surface.positions.iter();
-            assert!(result.positions.iter().all(|p| rest.any(|q| q == p)), "moved or out of order");
+            assert!(
+                result.positions().iter().all(|p| rest.any(|q| q == p)),
+                "moved or out of order"
+            );
         }
     }
 }
@@ -1171,7 +1172,7 @@ fn irreducible_minds_its_files() {
     let run = workshop.run_with_input("irreducible - -o -", TETRAHEDRON.as_bytes());
     assert_eq!(run.code, Some(0), "{run:?}");
     let result = Mesh::parse(&run.stdout, Format::Obj).unwrap();
-    assert_eq!((result.positions.len(), result.faces.len()), (4, 4));
+    assert_eq!((result.positions().len(), result.faces().len()), (4, 4));
     assert_contains(&run.stderr, &["4 vertices", "irreducible"], "the summary");
 }
 

@@ -1,6 +1,6 @@
 //! Draws the picture of the README: a triangulation and the quadrangulation made from it, as SVG.
 //!
-//! `cargo run --release --example picture > docs/convert.svg`
+//! `cargo run --release --example readme_svg > docs/convert.svg`
 
 use triquad::Converter;
 use triquad::mesh::{Faces, Mesh};
