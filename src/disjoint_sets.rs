@@ -32,7 +32,9 @@ impl DisjointSets {
     #[inline]
     pub(crate) fn join(&mut self, a: u32, b: u32) -> bool {
         let (a, b) = (self.find(a), self.find(b));
-        self.parent[a.max(b) as usize] = a.min(b);
+        if a != b {
+            self.parent[a.max(b) as usize] = a.min(b);
+        }
         a != b
     }
 

@@ -84,7 +84,7 @@ pub struct Projection {
     distance: f64,
     /// Samples per view unit at distance 0.
     scale: f64,
-    /// Where the view's origin goes.
+    /// Screen coordinates of the view's origin.
     origin: [f64; 2],
 }
 

@@ -13,7 +13,7 @@ const UNIT_BITS: u32 = 8;
 const UNIT: f64 = (1 << UNIT_BITS) as f64;
 const HALF_UNIT: i64 = 1 << (UNIT_BITS - 1);
 
-/// Farthest corner that is told apart, in fixed-point units: products of two differences fit an
+/// Farthest corner that is distinguished, in fixed-point units: products of two differences fit an
 /// i64.
 const FARTHEST: f64 = (1 << 29) as f64;
 

@@ -42,7 +42,7 @@ pub fn occlusion(near: &[f32], [width, height]: [usize; 2]) -> Vec<f32> {
             let inside = to[0] < width && to[1] < height;
             let rise =
                 if inside { near[to[1] * width + to[0]] - near[at] } else { f32::NEG_INFINITY };
-            // What rises far beyond reach is something else in front, and hides little.
+            // A rise far beyond reach is another surface in front, which hides little.
             let fades = rise > reach;
             (if fades { reach * reach / rise } else { rise }) * step.over_length
         };

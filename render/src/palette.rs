@@ -1,6 +1,6 @@
 //! At most 256 colours for an image, so that its file is small.
 
-/// Bits of each colour that are told apart when colours are counted.
+/// Bits of each colour that are distinguished when colours are counted.
 const BITS: u32 = 5;
 
 /// The most colours.

@@ -49,7 +49,7 @@ pub struct Picture<'a> {
     pub height: usize,
     /// Samples along each side of a pixel; more give smoother edges.
     pub samples: usize,
-    /// Where the mesh is seen from.
+    /// The camera.
     pub camera: Camera,
     /// The part that is cut away.
     pub section: Option<Section>,

@@ -17,7 +17,7 @@ pub struct Finish {
     pub background: Option<[u8; 3]>,
     /// Colours of edges and highlighted edges.
     pub inks: [[u8; 3]; 2],
-    /// How dark hollows are, 0 to 1.
+    /// Darkening of hollows, 0 to 1.
     pub depth_shade: f64,
 }
 

@@ -51,7 +51,7 @@ struct TourNode {
 /// ```
 /// use triquad::dynamic::EulerTourForest;
 ///
-/// let mut forest = EulerTourForest::default();
+/// let mut forest = EulerTourForest::with_capacity(0);
 /// let [a, b, c] = [0, 1, 2].map(|label| forest.add_vertex(label));
 /// let ab = forest.link(a, b, 0);
 /// forest.link(b, c, 1);
@@ -64,12 +64,6 @@ pub struct EulerTourForest {
     nodes: Vec<TourNode>,
     /// First of the unused nodes, which are linked by `parent`.
     unused: u32,
-}
-
-impl Default for EulerTourForest {
-    fn default() -> Self {
-        Self::with_capacity(0)
-    }
 }
 
 impl EulerTourForest {

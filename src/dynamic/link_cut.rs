@@ -38,7 +38,7 @@ struct PathNode {
 /// ```
 /// use triquad::dynamic::LinkCutForest;
 ///
-/// let mut forest = LinkCutForest::new(4);
+/// let mut forest = LinkCutForest::from_parents(4, |_| None);
 /// forest.link(1, 0);
 /// forest.link(2, 0);
 /// assert_eq!(forest.lca(1, 2), 0);
@@ -54,14 +54,6 @@ pub struct LinkCutForest {
 impl LinkCutForest {
     /// The greatest value a node can have.
     pub const MAX_VALUE: u32 = VALUE;
-
-    /// Makes `n` trees of one node each, of value 0. O(n).
-    ///
-    /// # Panics
-    /// If `n` exceeds 2^32 - 1.
-    pub fn new(n: usize) -> Self {
-        Self::from_parents(n, |_| None)
-    }
 
     /// Makes the forest in which `parent(v)` is the parent of node `v`, or none if `v` is a root;
     /// all values are 0. O(n).

@@ -36,7 +36,7 @@ pub fn brute_force(triangulation: ShrinkingTriangulation, random: &mut Random) -
 struct StableEdges {
     /// One of the two half-edges of each edge; none for edges that are gone.
     side: Vec<HalfEdgeId>,
-    /// How often each edge has been tested: 0, 1, or 2 for more.
+    /// Number of tests of each edge: 0, 1, or 2 for more.
     tests: Vec<u8>,
     /// The edge of each half-edge.
     of: IdVec<HalfEdgeId, u32>,

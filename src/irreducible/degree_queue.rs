@@ -9,7 +9,7 @@ pub(super) struct DegreeQueue {
     /// Degree and id, in heap order: no entry is less than its parent, that of `i` at `(i - 1) /
     /// 2`.
     heap: Vec<(u32, VertexId)>,
-    /// Where each vertex is in the heap, or [`ABSENT`].
+    /// Place of each vertex in the heap, or [`ABSENT`].
     place: IdVec<VertexId, u32>,
 }
 

@@ -40,8 +40,8 @@ impl Graph {
         members(self.neighbours[v.index()])
     }
 
-    /// Iterates over the vertices that make a critical cycle with edge [u, v]: they are joined to both
-    /// ends, but there is no triangle.
+    /// Iterates over the vertices that make a critical cycle with edge [u, v]: they are joined to
+    /// both ends, but there is no triangle.
     fn cycles(&self, u: VertexId, v: VertexId) -> impl Iterator<Item = VertexId> + use<> {
         let at_edge = self.triangles.iter().filter(|t| t.contains(&u) && t.contains(&v));
         let apexes = at_edge.flatten().fold(0, |set, z| set | 1 << z.index());
@@ -113,8 +113,7 @@ impl ContractionObserver for Checker {
 }
 
 impl Checker {
-    /// Checks that the vertices known as neighbours of u are its neighbours, and known by
-    /// their spokes.
+    /// Checks that the vertices known as neighbours of u are its neighbours, with the right spokes.
     fn check_neighbours(&self, run: &RamaswamiSiqueira<Self>, graph: &Graph) {
         for v in (0..run.k.vertex_id_count())
             .map(VertexId::new)
@@ -156,9 +155,9 @@ impl Checker {
         assert!(put_aside.is_sorted_by_key(counted), "contractible edges come first");
     }
 
-    /// Checks Proposition 11, and what holds while edges are untested: of the critical cycles through [u,
-    /// w], those are counted whose third vertex has been processed or put aside, or was known as a
-    /// neighbour when [u, w] was tested.
+    /// Checks Proposition 11, and what holds while edges are untested: of the critical cycles
+    /// through [u, w], those are counted whose third vertex has been processed or put aside, or was
+    /// known as a neighbour when [u, w] was tested.
     fn check_counters(&self, run: &RamaswamiSiqueira<Self>, graph: &Graph) {
         for w in run.lists.iter(List::Tested) {
             let n = run.lists[w];

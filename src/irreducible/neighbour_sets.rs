@@ -12,14 +12,14 @@ use crate::triangulation::{HalfEdgeId, ShrinkingTriangulation, VertexId};
 pub(super) struct NeighbourSets {
     /// The nodes, and behind them one for each vertex whose left child is the root of its set.
     nodes: Vec<TreapNode>,
-    /// Where the nodes that hold roots begin.
+    /// First of the nodes that hold roots.
     roots: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct TreapNode {
     neighbour: VertexId,
-    /// Where lesser and greater neighbours are, or [`NIL`].
+    /// Roots of the lesser and the greater neighbours, or [`NIL`].
     children: [u32; 2],
 }
 
@@ -69,7 +69,7 @@ impl NeighbourSets {
         }
         self.put(place, node);
         self.nodes[node as usize].neighbour = w;
-        // What was there is cut in two along the search path of w.
+        // The subtree that was there is cut in two along the search path of w.
         let mut ends = [(node, 0), (node, 1)];
         while below != NIL {
             let lesser = self.nodes[below as usize].neighbour < w;

@@ -5,7 +5,7 @@
 //! number c(v) of its critical cycles, and the counters are kept right from then on, so that no
 //! second test is needed when the edge becomes contractible.
 //!
-//! Departs from the printed pseudo-code where that is wrong; comments at the four places say how:
+//! Departs from the printed pseudo-code at four places where that is wrong, each with a comment:
 //! counters are reset for each u (Algorithm 4.2), a time stamp is compared with ≥ (Algorithm 4.3,
 //! line 14), apexes are read before they are lost (line 4), and u is only done when no edge put
 //! aside is contractible (Algorithm 4.2, line 34). Departs in form too: an edge at u is named by

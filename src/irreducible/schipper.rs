@@ -30,7 +30,7 @@ struct Schipper {
     k: ShrinkingTriangulation,
     sets: NeighbourSets,
     queue: DegreeQueue,
-    /// How often the edge of a half-edge has been tested: 0, 1, or 2 for more.
+    /// Number of tests of the edge of each half-edge: 0, 1, or 2 for more.
     tests: IdVec<HalfEdgeId, u8>,
     splits: Vec<VertexSplit>,
     counts: Counts,

@@ -274,8 +274,8 @@ mod tests {
     use crate::mesh::Mesh;
     use crate::triangulation::Triangulation;
 
-    /// Returns the priority of `f` from section 3.1 to the letter, knowing only who is paired or
-    /// left alone.
+    /// Returns the priority of `f` by the letter of section 3.1, from the triangles that are paired
+    /// or left alone.
     fn by_definition(graph: &DualGraph, done: &[bool], f: TriangleId) -> Priority {
         let free =
             |f: TriangleId| graph.neighbours(f).filter(|g| !done[g.index()]).collect::<Vec<_>>();

@@ -1,7 +1,7 @@
 //! Is one triangle mesh another triangulation of the same surface? From the two meshes alone.
 
 use super::check::{Mismatch, check_positions, require_arity};
-use crate::disjoint_sets::ParitySets;
+use crate::disjoint_sets::DisjointSets;
 use crate::mesh::{Faces, Mesh};
 
 /// Checks that `triangles` triangulates the surface that `given` does, on the same vertices: each
@@ -37,9 +37,9 @@ pub(crate) fn check_retriangulated_faces(
     }
     let [mut one, mut other] = [triangles, given].map(|faces| Components::of(faces, vertices));
     for v in 0..vertices as u32 {
-        let [(root, _), (root_given, _)] = [&mut one, &mut other].map(|side| side.sets.find(v));
+        let [root, root_given] = [&mut one, &mut other].map(|side| side.sets.find(v));
         // That each root of one mesh is in the set of that of the other makes the sets equal.
-        let same_set = one.sets.find(root_given).0 == root && other.sets.find(root).0 == root_given;
+        let same_set = one.sets.find(root_given) == root && other.sets.find(root) == root_given;
         if one.used[v as usize] != other.used[v as usize] {
             return Err(Mismatch::VertexUse(v as usize));
         }
@@ -52,7 +52,7 @@ pub(crate) fn check_retriangulated_faces(
 
 /// The connected components of a mesh.
 struct Components {
-    sets: ParitySets,
+    sets: DisjointSets,
     used: Vec<bool>,
     /// Number of triangles of each component, at its root.
     triangles: Vec<u32>,
@@ -60,16 +60,16 @@ struct Components {
 
 impl Components {
     fn of(faces: &Faces, vertices: usize) -> Self {
-        let mut sets = ParitySets::new(vertices);
+        let mut sets = DisjointSets::new(vertices);
         let mut used = vec![false; vertices];
         for face in faces.iter() {
             face.iter().for_each(|&v| used[v as usize] = true);
             face.windows(2).for_each(|side| {
-                sets.join(side[0], side[1], false);
+                sets.join(side[0], side[1]);
             });
         }
         let mut triangles = vec![0; vertices];
-        faces.iter().for_each(|face| triangles[sets.find(face[0]).0 as usize] += 1);
+        faces.iter().for_each(|face| triangles[sets.find(face[0]) as usize] += 1);
         Self { sets, used, triangles }
     }
 }

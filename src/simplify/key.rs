@@ -4,7 +4,7 @@
 use super::shape::STAGES;
 use super::tournament::Tournament;
 
-/// Where the bits of the stage begin; below are those of the cost.
+/// Lowest bit of the stage; below are the bits of the cost.
 const STAGE_BIT: u32 = 29;
 
 /// Bits below those of the cost, which keep its exponent and 3 bits of its fraction.

@@ -1,4 +1,4 @@
-//! From a face list to a triangulation, or to the survey that says why there is none.
+//! From a face list to a triangulation, or to a survey of its defects.
 //!
 //! Linear time without hashing: corners are gathered by vertex (counting sort), and round each
 //! vertex an array over all vertices remembers which half-edge leads where. A mesh that breaks a

@@ -156,7 +156,7 @@ pub struct Violation {
     pub law: Law,
     /// The first element, in file order, that breaks it.
     pub element: Element,
-    /// How many elements break it.
+    /// Number of elements that break it.
     pub count: usize,
 }
 

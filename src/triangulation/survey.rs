@@ -28,9 +28,9 @@ pub struct Survey {
     pub components: usize,
     /// Connected components of the set of boundary edges.
     pub boundary_loops: usize,
-    /// Whether the faces can be oriented alike.
+    /// True if the faces can be oriented alike.
     pub orientable: bool,
-    /// Whether every edge belongs to exactly two faces.
+    /// True if every edge belongs to exactly two faces.
     pub closed: bool,
     /// Every broken law once, the most basic one first.
     pub violations: Vec<Violation>,

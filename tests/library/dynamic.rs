@@ -87,7 +87,7 @@ fn random_draws(seed: u64, length: usize) -> Draws {
 
 /// The root of the tree of `v` is the node that all ancestors are on the way to.
 fn run_link_cut(nodes: u32, draws: &Draws) {
-    let mut forest = LinkCutForest::new(nodes as usize);
+    let mut forest = LinkCutForest::from_parents(nodes as usize, |_| None);
     let mut naive = NaiveGraph::new(nodes, 0);
     // The root of each component: the last one that was made one.
     let mut root: Vec<u32> = (0..nodes).collect();
@@ -191,7 +191,7 @@ fn long_paths_need_no_stack() {
     let mut path = LinkCutForest::from_parents(n as usize, |v| v.checked_sub(1));
     path.assign_path(n - 1, 0, 5);
     assert_eq!((path.lca(0, n / 2), path.value(n / 3)), (n / 2, 5));
-    let mut tours = EulerTourForest::default();
+    let mut tours = EulerTourForest::with_capacity(0);
     (0..n).for_each(|v| assert_eq!(tours.add_vertex(v), v));
     let ways: Vec<_> = (1..n).map(|v| tours.link(v - 1, v, v)).collect();
     assert_eq!(tours.vertex_count(0), n);
@@ -202,7 +202,7 @@ fn long_paths_need_no_stack() {
 // Euler-tour trees.
 
 fn run_euler_tour(nodes: u32, draws: &Draws) {
-    let mut forest = EulerTourForest::default();
+    let mut forest = EulerTourForest::with_capacity(0);
     let names: Vec<_> = (0..nodes).map(|v| forest.add_vertex(v)).collect();
     let mut naive = NaiveGraph::new(nodes, 0);
     let mut ways: Vec<u32> = Vec::new();
@@ -258,7 +258,7 @@ fn euler_tour_trees_do_as_told() {
 
 #[test]
 fn names_of_removed_nodes_are_used_again() {
-    let mut forest = EulerTourForest::default();
+    let mut forest = EulerTourForest::with_capacity(0);
     let [a, b] = [3, 4].map(|label| forest.add_vertex(label));
     for _ in 0..10 {
         let way = forest.link(a, b, 9);
@@ -291,7 +291,6 @@ fn run_connectivity(nodes: u32, names: u32, deletions: u32, draws: &Draws) {
             naive.edges[name as usize] = Some((a, b));
         }
         assert_eq!(graph.connected(a, b), naive.connected(a, b));
-        assert_eq!(graph.component_size(a) as usize, naive.component(a).len());
     }
     let mut forest = NaiveGraph::new(nodes, names as usize);
     for name in 0..names {

@@ -22,9 +22,9 @@
 //! ```
 //!
 //! The forests are Euler-tour trees in one arena. A vertex has a node in the tour of F_i as long as
-//! it has edges there; each node knows the node of the same element one level up. A way of a tree
-//! edge is marked in the tour of the edge's own level, and a vertex in that of a level at which it
-//! has non-tree edges, which hang on it in a list.
+//! it has edges there; each node refers to the node of the same element one level up. A way of a
+//! tree edge is marked in the tour of the edge's own level, and a vertex in that of a level at
+//! which it has non-tree edges, which hang on it in a list.
 
 use super::euler_tour::{EulerTourForest, NodeMark};
 use super::none::NONE;
@@ -148,11 +148,6 @@ impl DynamicConnectivity {
     /// Returns whether `a` and `b` are connected.
     pub fn connected(&mut self, a: u32, b: u32) -> bool {
         self.tours.connected(a, b)
-    }
-
-    /// Returns the number of nodes connected with `a`, itself included.
-    pub fn component_size(&mut self, a: u32) -> u32 {
-        self.tours.vertex_count(a)
     }
 
     /// Inserts an edge between `a` and `b`. Returns whether it joined two components, and so is in

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::random::Random;
 
-/// Compares everything that is kept for each level with what the levels of the edges say.
+/// Compares everything that is kept for each level with the levels of the edges.
 fn audit(graph: &mut DynamicConnectivity) {
     for i in 0..LEVELS as u8 {
         let set = components(graph, i);
@@ -63,7 +63,7 @@ fn audit_vertices(graph: &mut DynamicConnectivity, i: u8, set: &[u32]) {
     }
 }
 
-/// Returns the edges in the list of a vertex, sorted, after a look at the way back.
+/// Returns the edges in the list of a vertex, sorted, and checks the links back.
 fn listed(graph: &DynamicConnectivity, v: u32, node: u32) -> Vec<u32> {
     let (mut found, mut previous, mut edge) = (Vec::new(), NONE, graph.first[node as usize]);
     while edge != NONE {

@@ -135,7 +135,7 @@ impl SpanningTree {
         let root = hangs.iter().position(|&hangs| hangs).expect("T spans the graph");
         let mut cover = [EdgeId::NONE; 4];
         if count == 1 {
-            // What is removed hangs on the rest of T as two leaves, u and v, or as one twig of
+            // The removed part hangs on the rest of T as two leaves, u and v, or as one twig of
             // both.
             self.forest.evert(slots[root].1.0);
             for i in (0..4).filter(|&i| hangs[i]) {

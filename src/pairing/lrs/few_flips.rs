@@ -39,7 +39,7 @@ pub(super) struct FewFlipsExpansion {
     places: Displacements,
     /// The vertices into which others have been contracted that are not back yet.
     splits_again: IdVec<VertexId, bool>,
-    /// How many they are.
+    /// Number of those vertices.
     centres: usize,
     /// The one that splits now.
     centre: VertexId,

@@ -142,7 +142,7 @@ fn check_outcome(expanded: Expanded, input: &Triangulation, unpaired: usize) -> 
     let Expanded { triangulation: k, dual, matching, edge_flips } = expanded;
     assert_eq!(matching.unpaired_count(), unpaired);
     assert!(matching.is_matching_of(&dual) && dual == DualGraph::new(&k));
-    // The half-edge structure is what its triangles say.
+    // The half-edge structure agrees with its triangles.
     let list = Mesh::new(vec![[0.0; 3]; k.vertex_id_count()], k.faces());
     assert_eq!(Triangulation::build(&list).unwrap(), k);
     let [ours, given] = [&k, input].map(edges);

@@ -19,8 +19,8 @@ pub(super) struct PrintedExpansion {
     /// 𝒯, as far as it has been expanded.
     pub(super) t: ExpandingTriangulation,
     pub(super) marks: EdgeMarks,
-    /// The edges flipped, each by one half-edge, in the order of time; those whose marks say
-    /// otherwise have been flipped back.
+    /// The edges flipped, each by one half-edge, in the order of time; those without the mark have
+    /// been flipped back.
     pub(super) flips: Vec<HalfEdgeId>,
 }
 
@@ -139,8 +139,8 @@ impl PrintedExpansion {
         }
     }
 
-    /// Iterates over the flips that have not been flipped back, in the order of time. An edge is flipped
-    /// at most once, when it is new, so that its mark is enough to tell.
+    /// Iterates over the flips that have not been flipped back, in the order of time. An edge is
+    /// flipped at most once, when it is new, so its mark is enough.
     pub(super) fn lasting_flips(&self) -> impl Iterator<Item = HalfEdgeId> {
         self.flips.iter().copied().filter(|&h| self.marks.has(h, EdgeMark::Flipped))
     }

@@ -16,7 +16,7 @@ use crate::triangulation::Triangulation;
 use families::*;
 use naive::{Audit, Checked, Naive};
 
-/// How much of each step is checked.
+/// The checks made after each step.
 #[derive(Clone, Copy, PartialEq)]
 enum Depth {
     Result,

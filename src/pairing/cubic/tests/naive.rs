@@ -1,4 +1,4 @@
-//! What the definitions say of a graph on the way, and of what a decider knows of it.
+//! Graphs on the way and the state of deciders, checked against the definitions.
 
 use super::super::graph::{Candidate, DoubleEdge, EdgeId, Multigraph, NodeId, Reduction};
 use super::super::solve::Decide;
@@ -66,9 +66,9 @@ impl Decide for Naive {
     }
 }
 
-/// What a decider claims to know.
+/// A decider whose state can be checked.
 pub(super) trait Audit: Decide {
-    /// Compares it with a graph of `nodes` nodes, one of which is `root`.
+    /// Compares the state with a graph of `nodes` nodes, one of which is `root`.
     fn audit(&mut self, graph: &Multigraph, root: NodeId, nodes: usize);
 }
 
@@ -104,7 +104,8 @@ pub(super) fn edges_at(graph: &Multigraph, nodes: &[NodeId]) -> Vec<EdgeId> {
 }
 
 impl Audit for SpanningTree {
-    /// Checks that the tree spans the graph, the forest is that tree, and every cover crosses its cut.
+    /// Checks that the tree spans the graph, the forest is that tree, and every cover crosses its
+    /// cut.
     fn audit(&mut self, graph: &Multigraph, root: NodeId, nodes: usize) {
         let live = reach(graph, root, |_| true);
         let edges = edges_at(graph, &live);
@@ -128,7 +129,8 @@ impl Audit for SpanningTree {
 }
 
 impl Audit for DynamicGraph {
-    /// Checks that it has the edges of the graph and that its forest is a spanning tree, in both structures.
+    /// Checks that it has the edges of the graph and that its forest is a spanning tree, in both
+    /// structures.
     fn audit(&mut self, graph: &Multigraph, root: NodeId, nodes: usize) {
         let live = reach(graph, root, |_| true);
         let edges = edges_at(graph, &live);
@@ -152,7 +154,7 @@ impl Audit for DynamicGraph {
     }
 }
 
-/// Checks the graph after every step, and on request what the decider knows of it.
+/// Checks the graph after every step, and on request the state of the decider.
 pub(super) struct Checked<D> {
     pub(super) decider: D,
     pub(super) left: usize,
