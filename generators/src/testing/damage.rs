@@ -41,7 +41,10 @@ fn damage(bytes: &mut Vec<u8>, other: &[u8], below: &mut dyn FnMut(u32) -> u32) 
         0 => flip(bytes, |_| 1, below),
         1 => flip(bytes, |below| below(255) as u8 + 1, below),
         2 => drop(bytes.drain(piece)),
-        3 => insert(bytes, place, &bytes[piece].to_vec()),
+        3 => {
+            let copy = bytes[piece].to_vec();
+            insert(bytes, place, &copy);
+        }
         4 => insert(bytes, place, &other[piece_of(other.len(), below)]),
         5 => bytes.truncate(place),
         6 => replace_binary_number(bytes, place, below),
