@@ -18,7 +18,12 @@ pub struct Selection {
     #[arg(value_name = "EXPERIMENT.toml", required = true)]
     files: Vec<PathBuf>,
     /// How large the papers' meshes are made: full, small (a twentieth) or demo (a hundredth)
-    #[arg(long, default_value = "full", value_name = "SCALE", value_parser = one_of(Scale::ALL, Scale::id))]
+    #[arg(
+        long,
+        default_value = "full",
+        value_name = "SCALE",
+        value_parser = one_of(Scale::ALL, Scale::id)
+    )]
     scale: Scale,
     /// A folder with meshes of your own: scans of the papers by name ('botijo.obj', 'eros.ply.gz'
     /// …), others under the names of their files. May be given more than once

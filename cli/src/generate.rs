@@ -19,11 +19,10 @@ use crate::{input, stdio};
 ///
 /// The same arguments make the same bytes on every machine.
 #[derive(Args)]
-#[command(
-    after_help = "Examples:\n  triquad generate box --vertices 5000 --cavities 20 --holes 5 -o box.obj\n  \
+#[command(after_help = "Examples:\n  \
+                  triquad generate box --vertices 5000 --cavities 20 --holes 5 -o box.obj\n  \
                   triquad generate stand-in --vertices 20000 --genus 5 --seed 1 -o blob.ply\n  \
-                  triquad generate paper A1 -o a1.obj"
-)]
+                  triquad generate paper A1 -o a1.obj")]
 pub struct Arguments {
     #[command(subcommand)]
     mesh: MeshCommand,
@@ -91,7 +90,12 @@ struct PaperArguments {
     #[arg(value_name = "NAME", value_parser = one_of(paper::ALL, |mesh| mesh.name))]
     mesh: PaperMesh,
     /// How large: full, small (a twentieth) or demo (a hundredth)
-    #[arg(long, default_value = "full", value_name = "SCALE", value_parser = one_of(Scale::ALL, Scale::id))]
+    #[arg(
+        long,
+        default_value = "full",
+        value_name = "SCALE",
+        value_parser = one_of(Scale::ALL, Scale::id)
+    )]
     scale: Scale,
     #[command(flatten)]
     target: Target,

@@ -9,7 +9,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine;
-use triquad_lab::experiment::plan::{Block, PlannedMesh, PlannedRun};
+use triquad_lab::experiment::plan::{Block, PlannedRun};
+use triquad_lab::experiment::planned_mesh::PlannedMesh;
 use triquad_lab::experiment::record::{Outcome, RunRecord};
 use triquad_lab::experiment::run::{RunObserver, Runner};
 use triquad_lab::pictures::{self, DrawError};
@@ -25,10 +26,9 @@ use crate::{generate, input, report, stdio};
 /// it may be interrupted at any time. Tables are written after every block, at most every five
 /// seconds, the page every minute and at the end.
 #[derive(clap::Args)]
-#[command(
-    after_help = "Examples:\n  triquad run experiments/comparison.toml --scale demo --out results/demo\n  \
-                        triquad run experiments/comparison.toml --data ~/scans --out results/mine"
-)]
+#[command(after_help = "Examples:\n  \
+                        triquad run experiments/comparison.toml --scale demo --out results/demo\n  \
+                        triquad run experiments/comparison.toml --data ~/scans --out results/mine")]
 pub struct Arguments {
     #[command(flatten)]
     selection: Selection,
@@ -36,7 +36,12 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", default_value = "results/local")]
     out: PathBuf,
     /// Runs at the same time. Above 1 they slow each other down: times are then not compared
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = clap::value_parser!(u32).range(1..=256)
+    )]
     jobs: u32,
     #[command(flatten)]
     cache: generate::CacheOption,

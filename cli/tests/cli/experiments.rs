@@ -127,6 +127,15 @@ fn every_planned_run_has_a_row_and_none_is_done_twice() {
     assert!(!shop.path("out/meshes").exists(), "meshes are removed when they are done with");
     assert!(shop.path("out/pictures/quads-lrs-few-flips-close-up.png").exists());
 
+    // The run made its report from memory: it is that from the folder.
+    let report = || {
+        let files = ["index.html", "compare.csv", "table_memory.csv"];
+        files.map(|name| std::fs::read(shop.path("out").join(name)).unwrap())
+    };
+    let from_memory = report();
+    shop.succeed("report out");
+    assert!(report() == from_memory);
+
     let before = std::fs::read(shop.path("out/runs.csv")).unwrap();
     let said = shop.succeed("run tiny.toml least.toml --scale demo --out out");
     assert!(said.contains("0 runs to do"), "{said}");

@@ -3,7 +3,8 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use super::plan::{PlannedMesh, PlannedRun, Source};
+use super::plan::PlannedRun;
+use super::planned_mesh::{PlannedMesh, Source};
 use crate::meshes::paper::Scale;
 
 /// Returns the arguments of the run on that file.

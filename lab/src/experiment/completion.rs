@@ -1,7 +1,7 @@
 //! From the end of a run's process to its record.
 
 use super::measured::RunStats;
-use super::plan::PlannedMesh;
+use super::planned_mesh::PlannedMesh;
 use super::process::Ending;
 use super::record::{Outcome, RunRecord};
 
@@ -30,7 +30,7 @@ pub(super) fn complete(record: RunRecord, ending: Ending, mesh: &PlannedMesh) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiment::plan::Source;
+    use crate::experiment::planned_mesh::Source;
     use crate::meshes::paper::{self, Scale};
 
     fn completed(output: &str) -> RunRecord {

@@ -4,7 +4,8 @@
 //! [`crate::algorithms`]; the progress bar corrects them as it goes.
 
 use super::job::Job;
-use super::plan::{Plan, PlannedMesh, PlannedRun, Source};
+use super::plan::{Plan, PlannedRun};
+use super::planned_mesh::{PlannedMesh, Source};
 use crate::meshes::Recipe;
 use triquad::augmentation::Augmentation;
 

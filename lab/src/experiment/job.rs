@@ -126,7 +126,7 @@ impl Job {
         how.map_or(label.into(), |how| format!("{label} {how}"))
     }
 
-    /// Returns every word that tells this job from others on the same mesh: `lrs printed tarjan`.
+    /// Returns the name that no other job has: `lrs printed tarjan`.
     pub fn name(self) -> String {
         let JobNames { algorithm, lrs_variant, augmentation, order } = self.names();
         let words = [Some(algorithm), lrs_variant, augmentation, order];

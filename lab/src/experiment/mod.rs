@@ -13,6 +13,7 @@ pub mod machine;
 pub mod measured;
 pub mod merge;
 pub mod plan;
+pub mod planned_mesh;
 pub mod process;
 pub mod record;
 pub mod results;

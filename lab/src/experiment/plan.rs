@@ -1,15 +1,14 @@
 //! From experiment files to their runs, in the order in which they are executed.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 
 use super::data_folder::DataMesh;
 use super::job::Job;
+use super::planned_mesh::PlannedMesh;
 use super::results::Planned;
 use super::run_id::{MeshId, RunId};
 use super::spec::{Experiment, Limits, MeshGroup, RunSpec};
-use crate::meshes::MeshKind;
-use crate::meshes::paper::{self, PaperMesh, Scale};
+use crate::meshes::paper::{self, Scale};
 use triquad::random::Random;
 
 /// The runs to do, block by block.
@@ -51,30 +50,6 @@ pub struct PlannedRun {
     pub repetitions: u32,
     /// Augmenting paths after which it stops.
     pub stop_after_paths: Option<u64>,
-}
-
-/// A mesh, and where it comes from.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PlannedMesh {
-    /// Its name in records.
-    pub name: String,
-    /// n_v.
-    pub vertices: u32,
-    /// n_f.
-    pub triangles: u32,
-    /// Genus.
-    pub genus: u32,
-    /// Where it comes from.
-    pub source: Source,
-}
-
-/// Where a mesh comes from.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Source {
-    /// A file of the user's, and its SHA-256.
-    File(PathBuf, String),
-    /// Made to order, at a scale.
-    Made(PaperMesh, Scale),
 }
 
 /// A name that is neither a mesh of the papers nor a file in a data folder.
@@ -248,40 +223,10 @@ fn seed(experiment: &Experiment, mesh: &PlannedMesh, job: Job, repetition: u32) 
     u64::from(Random::stream(experiment.seed, &words).below(u32::MAX))
 }
 
-impl PlannedMesh {
-    fn real(mesh: &DataMesh) -> Self {
-        Self {
-            name: mesh.name.clone(),
-            vertices: mesh.vertices,
-            triangles: mesh.triangles,
-            genus: mesh.genus,
-            source: Source::File(mesh.path.clone(), mesh.sha256.clone()),
-        }
-    }
-
-    fn made(paper: PaperMesh, scale: Scale) -> Self {
-        let mesh = paper.at(scale);
-        Self {
-            name: mesh.name.into(),
-            vertices: mesh.vertices,
-            triangles: mesh.triangles(),
-            genus: mesh.genus,
-            source: Source::Made(mesh, scale),
-        }
-    }
-
-    /// Returns the kind of the mesh in records.
-    pub fn kind(&self) -> MeshKind {
-        match &self.source {
-            Source::File(..) => MeshKind::Real,
-            Source::Made(mesh, _) => mesh.kind(),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::meshes::MeshKind;
 
     fn experiment(groups: &str) -> Experiment {
         let head = "name = \"x\"\ntitle = \"\"\ntask = \"convert\"\nseed = 5\n\

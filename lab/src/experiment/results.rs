@@ -49,20 +49,20 @@ pub struct Planned {
 
 /// The last column of `plan.csv`.
 #[derive(Serialize, Deserialize)]
-struct Repetitions {
+struct PlanTail {
     repetitions: u32,
 }
 
 impl Planned {
     /// Returns the columns of `plan.csv`.
     pub fn to_row(&self) -> impl Serialize {
-        (&self.id.mesh, self.id.job, Repetitions { repetitions: self.repetitions })
+        (&self.id.mesh, self.id.job, PlanTail { repetitions: self.repetitions })
     }
 
     fn from_row(row: &StringRecord, names: &StringRecord) -> csv::Result<Self> {
         let names = Some(names);
         let id = RunId { mesh: row.deserialize(names)?, job: row.deserialize(names)? };
-        let Repetitions { repetitions } = row.deserialize(names)?;
+        let PlanTail { repetitions } = row.deserialize(names)?;
         Ok(Self { id, repetitions })
     }
 }

@@ -11,7 +11,8 @@ use super::estimate::run_seconds;
 use super::journal::Journal;
 use super::machine::{self, hash_of_words};
 use super::measured::Measured;
-use super::plan::{Block, Plan, PlannedMesh, PlannedRun, Source};
+use super::plan::{Block, Plan, PlannedRun};
+use super::planned_mesh::{PlannedMesh, Source};
 use super::process::{self, Ending};
 use super::record::{Outcome, RunRecord, SCHEMA};
 use super::spec::Limits;
@@ -23,7 +24,7 @@ use triquad::clock::Clock;
 pub struct Runner {
     /// The `triquad` that is run.
     pub program: PathBuf,
-    /// Hash that tells it from other builds.
+    /// Hash of it; other builds have others.
     pub program_hash: String,
     /// Name of this machine in records.
     pub machine: String,
@@ -323,7 +324,8 @@ mod tests {
             *) unpaired=12 ;;
         esac
         echo '{"vertices": 200, "edges": 600, "triangles": 400, "genus": 1, "components": 1,'
-        echo '"unpaired_triangles": '$unpaired', "pairing_seconds": 0.5, "augmentation_seconds": 0.25}'
+        echo '"unpaired_triangles": '$unpaired', "pairing_seconds": 0.5,'
+        echo '"augmentation_seconds": 0.25}'
     "#;
 
     /// What is written down is what was answered, byte for byte, under a scripted clock.

@@ -143,7 +143,7 @@ pub enum SpecError {
     Syntax {
         /// Line, from 1.
         line: usize,
-        /// What the reader of TOML says.
+        /// Message of the TOML parser.
         message: String,
     },
     /// A name is not known.

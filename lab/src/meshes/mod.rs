@@ -1,8 +1,8 @@
 //! Meshes made to order: the boxes of both papers, what simplification makes of them, and stand-ins
 //! for scans that are not at hand.
 //!
-//! A [`Recipe`] fixes every byte of its mesh. [`paper`] has the recipes of the papers' meshes by name,
-//! and a [`Cache`] makes each mesh once.
+//! A [`Recipe`] fixes every byte of its mesh. [`paper`] has the recipes of the papers' meshes by
+//! name, and a [`Cache`] makes each mesh once.
 
 mod cache;
 pub mod paper;

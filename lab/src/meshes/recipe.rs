@@ -9,7 +9,7 @@ use triquad::triangulation::Triangulation;
 use triquad_generators::box_mesh::{BoxShape, ImpossibleBox};
 use triquad_generators::{Surface, organic};
 
-/// Where a mesh comes from, as records say it.
+/// Origin of a mesh in records.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MeshKind {
@@ -146,7 +146,7 @@ fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<Mesh, Generat
     Ok(into_list(organic::surface(genus, source, &mut |bound| random.below(bound))))
 }
 
-/// Simplifies `list` to `vertices`, and tells `on_the_way` what it is at each of `stops`,
+/// Simplifies `list` to `vertices`, and calls `on_the_way` with the mesh at each of `stops`,
 /// descending.
 pub(super) fn simplified(
     list: &Mesh,

@@ -20,7 +20,7 @@ pub use shaft_box::box_picture;
 use crate::algorithms::AlgorithmFacts;
 use crate::experiment::job::{UnknownNameError, find_conversion};
 use crate::experiment::machine::hash_of_words;
-use crate::experiment::plan::{PlannedMesh, Source};
+use crate::experiment::planned_mesh::{PlannedMesh, Source};
 use crate::meshes::{Cache, GenerateError};
 use crate::whole_file;
 

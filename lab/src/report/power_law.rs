@@ -47,8 +47,8 @@ impl PowerLaw {
 /// Returns the 97.5 % quantile of Student's t; beyond the table that of its last entry, which is
 /// larger.
 fn student_t(degrees: usize) -> f64 {
-    // Not by `statrs`: its logarithm and powers are the platform's, whose last digit varies, and
-    // the intervals of recorded reports were made with these digits.
+    // Not `statrs::StudentsT`: with it one interval of the committed compare.csv and the bounds of
+    // four plots print another last digit, and its logarithms are the platform's.
     const QUANTILES: [f64; 20] = [
         12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160,
         2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,

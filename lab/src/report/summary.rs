@@ -16,7 +16,7 @@ pub struct Cell {
     pub id: RunId,
     /// Where the mesh comes from; `None` where no run of the mesh has a row.
     pub mesh_kind: Option<MeshKind>,
-    /// Repetitions that the plan asks for; 0 where no plan names the cell.
+    /// Planned repetitions; 0 where no plan names the cell.
     pub repetitions_planned: u32,
     /// The rows, by repetition, whatever their outcome.
     pub runs: Vec<RunRecord>,

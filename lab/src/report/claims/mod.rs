@@ -51,7 +51,7 @@ pub enum Need {
     PaperMesh,
 }
 
-/// A claim that a paper makes, with the test that says whether it holds.
+/// A claim that a paper makes, with the test of it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Claim {

@@ -8,13 +8,13 @@ use crate::report::number::significant;
 use crate::report::summary::{Cell, Summary};
 use triquad::random::Random;
 
-/// Seconds below which a time says too little to be compared.
+/// Seconds below which times are too noisy to be compared.
 const SHORTEST: f64 = 1e-4;
 
 /// A claim's number, mesh by mesh.
 #[derive(Default)]
 pub struct Evidence {
-    /// Where it can be told, in the order of the meshes.
+    /// The numbers, in the order of the meshes.
     pub points: Vec<MeshNumber>,
     /// What is special about some of them.
     pub remarks: Vec<(String, String)>,
@@ -135,7 +135,7 @@ impl<'a> ClaimOnMesh<'a> {
         self.cells().find_map(|cell| cell.count(count)).map_or(f64::NAN, |count| count as f64)
     }
 
-    /// Returns what a reader must know of the number beside it.
+    /// Returns kind of mesh and extrapolation, to stand beside the number.
     fn remark(&self) -> Option<String> {
         let kind = self.cells().next().and_then(|cell| cell.mesh_kind).map(MeshKind::id);
         let jobs = self.claim.value.factors.iter().filter_map(|factor| factor.job);

@@ -1,7 +1,7 @@
 //! The verdict on every claim of the papers.
 //!
 //! A claim is tested on our records, and on the papers' own printed numbers beside it. What cannot
-//! be judged is said to be not comparable, with the reason; nothing is left out.
+//! be judged is not comparable, with the reason; nothing is left out.
 
 mod bootstrap;
 mod evidence;

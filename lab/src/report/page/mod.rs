@@ -38,7 +38,7 @@ struct Page<'a> {
     commands: Vec<provenance::GroupCommands<'a>>,
 }
 
-/// Renders the page; what is missing is said to be missing. The same parts give the same bytes.
+/// Renders the page; what is missing is named. The same parts give the same bytes.
 pub fn render(parts: &Parts) -> String {
     let mut defects: Vec<String> = parts.defects.iter().map(ToString::to_string).collect();
     if parts.pictures.is_empty() {

@@ -25,7 +25,7 @@ struct Entry<'a> {
     id: String,
     name: String,
     heading: String,
-    /// What is said if there is nothing.
+    /// A sentence if there is nothing.
     empty: Option<&'static str>,
     table: Option<TableView>,
     plots: Vec<&'a Plot>,
@@ -63,7 +63,7 @@ pub fn papers<'a>(parts: &Parts<'a>) -> Vec<PaperSection<'a>> {
     ]
 }
 
-/// Makes the entries of a paper's tables; one that we do not have is said to be missing.
+/// Makes the entries of a paper's tables; a table without runs has a sentence instead.
 fn tables<'a>(parts: &Parts<'a>, paper: Paper) -> Vec<Entry<'a>> {
     let has_runs = !parts.results.records.is_empty();
     let entry = |table: Table| {

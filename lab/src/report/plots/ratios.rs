@@ -114,7 +114,7 @@ fn lrs_against_ps(summary: &Summary) -> Chart {
     let printed = printed_pairings();
     rows.add("in the paper", Look { colour: GREY, mark: Mark::Down }, true, |mesh| {
         let total = |job| PairingRow::find(&printed, mesh, job).map(|row| row.total_seconds);
-        // Where nothing of ours is, the paper's alone would say nothing.
+        // The paper's number alone would compare nothing.
         summary.cell(Paper::Comparison, mesh, jobs[0])?.ok_runs().next()?;
         Some((total(jobs[0])? / total(jobs[1])?, false))
     });
