@@ -1,10 +1,12 @@
-//! What pairing and augmentation both search with: alternating trees and blossoms (Edmonds).
+//! Matchings in graphs: alternating trees and blossoms (Edmonds), for pairing and augmentation, and
+//! perfect matchings of least cost ([`weighted`]).
 //!
 //! Uses [`dual`](crate::dual) alone.
 
 mod forest;
 mod rescue;
 mod single_tree;
+pub mod weighted;
 
 pub(crate) use forest::{Forest, Place, TreeId};
 pub(crate) use rescue::Rescue;

@@ -1,6 +1,8 @@
 //! The last stage: a quadrilateral for every pair of triangles (Lemos et al., section 2).
 
 mod check;
+mod cost;
+mod edge_quad;
 pub mod quality;
 mod retriangulation;
 
@@ -10,6 +12,8 @@ use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexI
 
 pub(crate) use check::check_faces;
 pub use check::{CheckReport, Mismatch, check};
+pub use cost::{Cost, DefaultCost, ShapeCost, edge_costs};
+pub use edge_quad::EdgeQuad;
 pub(crate) use retriangulation::check_retriangulated_faces;
 pub use retriangulation::check_retriangulation;
 

@@ -2,6 +2,7 @@
 //! Verdict Geometric Quality Library*, SAND2007-1751), of which no rounding differs between machines.
 
 use crate::mesh::Mesh;
+use crate::vector::{cross, difference, dot};
 
 /// Classes of equal width from -1 to 1 in [`Quality::histogram`].
 pub const CLASSES: usize = 20;
@@ -41,10 +42,11 @@ impl Quality {
 /// The least over the corners of the sine of the angle there, as seen along the normal in the
 /// middle: 1 for rectangles, 0 where three corners are on a line, negative where a quad is not
 /// convex. 0 if the quad has no normal or a side no length.
+#[inline]
 pub fn scaled_jacobian(corners: [[f64; 3]; 4]) -> f64 {
     let [p, q, r, s] = corners;
-    let sides = [minus(q, p), minus(r, q), minus(s, r), minus(p, s)];
-    let normal = cross(minus(sides[0], sides[2]), minus(sides[1], sides[3]));
+    let sides = [difference(q, p), difference(r, q), difference(s, r), difference(p, s)];
+    let normal = cross(difference(sides[0], sides[2]), difference(sides[1], sides[3]));
     let at_corner = |k: usize| {
         let (before, after) = (sides[(k + 3) % 4], sides[k]);
         let scale = (dot(normal, normal) * dot(before, before) * dot(after, after)).sqrt();
@@ -52,18 +54,6 @@ pub fn scaled_jacobian(corners: [[f64; 3]; 4]) -> f64 {
     };
     // Rounding may take a right angle a little too far.
     (0..4).map(at_corner).fold(1.0, f64::min).max(-1.0)
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

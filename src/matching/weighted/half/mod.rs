@@ -1,0 +1,94 @@
+//! The half-integral phase: edges may have value ½, and then form odd cycles (Derigs and Metz
+//! 1986).
+//!
+//! The linear program without odd sets. Its optimum leaves few odd cycles, and finding it needs no
+//! blossoms: a tree ends where one would have to be made. First single trees, cut at a limit that
+//! grows; if many roots stay, all that are left grow together.
+
+mod forest;
+mod path;
+mod search;
+
+use super::limits::Limits;
+use super::nodes::{Label, NONE, Nodes};
+use super::observer::{Observer, Stage};
+use super::refusal::Refusal;
+use super::work::Work;
+use search::{Found, Tree};
+
+/// Pairs all roots or puts them on odd cycles; returns one node of each cycle.
+pub(super) fn half_integral<S: Nodes>(
+    nodes: &mut S,
+    mut roots: Vec<u32>,
+    limits: Limits,
+    work: &mut Work,
+    observer: &mut Observer,
+) -> Result<Vec<u32>, Refusal> {
+    work.free_after_start = roots.len() as u64;
+    let mut cycles = Vec::new();
+    let mut limit = limits.first;
+    let mut round = 0;
+    while !roots.is_empty() {
+        round += 1;
+        let visits = roots.len().saturating_mul(limit) as u64;
+        let patience = u64::from(limits.patience) * u64::from(nodes.len());
+        if round > limits.single_rounds && visits > patience {
+            forest::grow(nodes, &roots, &mut cycles, work, observer)?;
+            break;
+        }
+        grow_each(nodes, &mut roots, &mut cycles, limit, work, observer)?;
+        roots.retain(|&root| nodes.mate(root) == NONE);
+        limit = limits.next(limit);
+    }
+    Ok(one_of_each(nodes, cycles))
+}
+
+/// Grows one tree from each root; keeps the roots whose trees were cut.
+fn grow_each<S: Nodes>(
+    nodes: &mut S,
+    roots: &mut Vec<u32>,
+    cycles: &mut Vec<u32>,
+    limit: usize,
+    work: &mut Work,
+    observer: &mut Observer,
+) -> Result<(), Refusal> {
+    let mut tree = Tree::new(nodes, cycles);
+    let mut kept = 0;
+    for place in 0..roots.len() {
+        let root = roots[place];
+        if observer.stops(Stage::HalfIntegral, roots.len() - place + kept) {
+            return Err(Refusal::Stopped(tree.bound()));
+        }
+        if tree.nodes.mate(root) == NONE && tree.grow(root, limit, work)? == Found::Nothing {
+            roots[kept] = root;
+            kept += 1;
+        }
+    }
+    roots.truncate(kept);
+    Ok(())
+}
+
+/// Returns one node of each odd cycle there still is, in order.
+fn one_of_each<S: Nodes>(nodes: &mut S, mut on_cycles: Vec<u32>) -> Vec<u32> {
+    on_cycles.sort_unstable();
+    let mut roots = Vec::new();
+    for root in on_cycles {
+        if nodes.label(root) != Label::Half || nodes.is_marked(root) {
+            continue;
+        }
+        roots.push(root);
+        let mut node = root;
+        while !nodes.is_marked(node) {
+            nodes.set_marked(node, true);
+            node = nodes.head(nodes.mate(node));
+        }
+    }
+    for &root in &roots {
+        let mut node = root;
+        while nodes.is_marked(node) {
+            nodes.set_marked(node, false);
+            node = nodes.head(nodes.mate(node));
+        }
+    }
+    roots
+}

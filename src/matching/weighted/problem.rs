@@ -1,0 +1,73 @@
+//! What is given: a graph, an integer cost on every edge, a price for nodes that may stay unpaired.
+
+/// Stands for "no node": the neighbour across a boundary, the mate of an unpaired node.
+pub const NONE: u32 = u32::MAX;
+
+/// Greatest absolute value of a cost or price, 2⁹⁰.
+///
+/// With it, no sum that the algorithm or the check forms can overflow an `i128`.
+pub const GREATEST_COST: i128 = 1 << 90;
+
+/// One edge of a graph and its cost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// The two nodes that the edge joins.
+    pub ends: [u32; 2],
+    /// The cost of pairing them.
+    pub cost: i128,
+}
+
+/// A graph with costs, as the check reads it.
+///
+/// Parallel edges are allowed, even at different costs. Loops have no part in any matching: they
+/// are ignored everywhere.
+pub trait Problem {
+    /// Returns the number of nodes; they are numbered from 0.
+    fn node_count(&self) -> usize;
+
+    /// Returns every edge once, in any order.
+    fn edges(&self) -> impl Iterator<Item = Edge>;
+
+    /// Returns the price of leaving a node unpaired, or `None` if it must be paired.
+    fn price(&self, node: u32) -> Option<i128>;
+}
+
+/// A graph in which each node has at most three sides, each with an edge or without.
+///
+/// Side `i` of a node and the same edge's side of the neighbour must have equal costs.
+pub trait CubicProblem: Problem {
+    /// Returns the neighbours across the three sides, [`NONE`] where there is no edge.
+    fn neighbours(&self, node: u32) -> [u32; 3];
+
+    /// Returns the costs of the edges across the three sides; any number where there is no edge.
+    fn costs(&self, node: u32) -> [i128; 3];
+}
+
+/// A matching, read node by node.
+pub trait Mates {
+    /// Returns the number of nodes, paired or not.
+    fn node_count(&self) -> usize;
+
+    /// Returns the node that this one is paired with, or [`NONE`].
+    fn mate(&self, node: u32) -> u32;
+}
+
+impl Mates for [u32] {
+    fn node_count(&self) -> usize {
+        self.len()
+    }
+
+    fn mate(&self, node: u32) -> u32 {
+        self[node as usize]
+    }
+}
+
+impl Mates for Vec<u32> {
+    fn node_count(&self) -> usize {
+        self.len()
+    }
+
+    fn mate(&self, node: u32) -> u32 {
+        self[node as usize]
+    }
+}

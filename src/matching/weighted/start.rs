@@ -1,0 +1,56 @@
+//! Greedy potentials and pairs.
+
+use super::nodes::{NONE, Nodes};
+use super::number::Number;
+
+/// Sets feasible potentials, raises each free node's as far as that goes, and pairs it along an
+/// edge that thereby becomes tight. Returns the nodes that stay free. O(n).
+pub(super) fn start<S: Nodes>(nodes: &mut S) -> Vec<u32> {
+    for node in 0..nodes.len() {
+        let costs = nodes.sides(node).filter(|&side| nodes.twin(side) != NONE);
+        let halves = costs.map(|side| nodes.cost(side).half());
+        if let Some(least) = halves.chain(nodes.price(node)).min() {
+            nodes.add_potential(node, least);
+        }
+    }
+    let mut free = Vec::new();
+    for node in 0..nodes.len() {
+        if nodes.mate(node) == NONE {
+            raise(nodes, node);
+            if nodes.mate(node) == NONE {
+                free.push(node);
+            }
+        }
+    }
+    free.retain(|&node| nodes.mate(node) == NONE);
+    free
+}
+
+/// Raises the potential of a free node; pairs it with a free node if it can.
+fn raise<S: Nodes>(nodes: &mut S, node: u32) {
+    let mut least = nodes.price(node);
+    let mut best = nodes.ground(node);
+    let mut is_free = false;
+    for side in nodes.sides(node) {
+        let twin = nodes.twin(side);
+        if twin == NONE {
+            continue;
+        }
+        let other = nodes.origin(twin);
+        let room = nodes.cost(side) - nodes.potential(other);
+        let other_free = nodes.mate(other) == NONE;
+        let is_better = least.is_none_or(|least| room < least);
+        if is_better || (least == Some(room) && other_free && !is_free) {
+            (least, best, is_free) = (Some(room), side, other_free);
+        }
+    }
+    let Some(least) = least else { return };
+    nodes.add_potential(node, least - nodes.potential(node));
+    if best == nodes.ground(node) {
+        nodes.set_mate(node, best);
+    } else if is_free {
+        nodes.set_mate(node, best);
+        let twin = nodes.twin(best);
+        nodes.set_mate(nodes.origin(twin), twin);
+    }
+}

@@ -1,0 +1,81 @@
+//! Every answer is optimal or a proof that there is none, whatever the limits are.
+
+use std::ops::ControlFlow;
+
+use proptest::prelude::*;
+
+use super::super::limits::Limits;
+use super::super::observer::Observer;
+use super::super::problem::Problem;
+use super::super::solve::{Solution, SolveError, cubic_solution};
+use super::super::verify::verify;
+use super::brute_force::least_cost;
+use super::graphs::{Rows, any_graph, cubic_graph, surface};
+
+/// First limits, factors and patience; patience 0 forces the forest.
+pub(super) fn limits() -> impl Strategy<Value = Limits> {
+    let first = prop_oneof![Just(1), Just(2), Just(4), Just(16), Just(64), Just(usize::MAX)];
+    let patience = prop_oneof![Just(0), Just(3), Just(u32::MAX)];
+    (first, 2..5_usize, 0..3_u32, patience).prop_map(|(first, factor, single_rounds, patience)| {
+        Limits { first, factor, single_rounds, patience }
+    })
+}
+
+pub(super) fn solve(graph: &Rows, limits: Limits) -> Result<Solution, SolveError> {
+    let hook = &mut |_| ControlFlow::Continue(());
+    cubic_solution(graph, limits, &mut Observer::new(hook))
+}
+
+/// Checks the proof that comes with an answer; returns the cost.
+pub(super) fn proven<P: Problem>(
+    graph: &P,
+    answer: Result<Solution, SolveError>,
+) -> Result<Option<i128>, TestCaseError> {
+    match answer {
+        Ok(solution) => {
+            prop_assert_eq!(verify(graph, &solution, &solution.certificate), Ok(()));
+            Ok(Some(solution.cost))
+        }
+        Err(SolveError::Infeasible(barrier)) => {
+            prop_assert!(barrier.nodes.is_sorted_by(|a, b| a < b), "{barrier:?} is no set");
+            prop_assert!(barrier.proves_infeasible(graph), "{barrier:?} proves nothing");
+            Ok(None)
+        }
+        Err(other) => Err(TestCaseError::fail(other.to_string())),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+
+    #[test]
+    fn small_graphs_cost_what_brute_force_finds(graph in any_graph(0..13), limits in limits()) {
+        prop_assert_eq!(proven(&graph, solve(&graph, limits))?, least_cost(&graph));
+    }
+
+    #[test]
+    fn small_cubic_graphs_cost_what_brute_force_finds(
+        graph in cubic_graph(1..7), limits in limits(),
+    ) {
+        prop_assert_eq!(proven(&graph, solve(&graph, limits))?, least_cost(&graph));
+    }
+
+    #[test]
+    fn surfaces_are_solved_with_proof(graph in surface(), limits in limits()) {
+        proven(&graph, solve(&graph, limits))?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn graphs_are_solved_with_proof(graph in any_graph(0..300), limits in limits()) {
+        proven(&graph, solve(&graph, limits))?;
+    }
+
+    #[test]
+    fn cubic_graphs_are_solved_with_proof(graph in cubic_graph(1..150), limits in limits()) {
+        proven(&graph, solve(&graph, limits))?;
+    }
+}

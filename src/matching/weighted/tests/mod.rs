@@ -1,0 +1,8 @@
+//! Random graphs, a slow oracle, and what must hold of every answer.
+
+mod brute_force;
+mod cubic;
+mod graphs;
+mod sparse;
+mod special;
+mod tampering;

@@ -1,0 +1,24 @@
+//! Counts of what a run did.
+
+/// Counts of what a run did; they depend on the input alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Nodes left free by the greedy start.
+    pub free_after_start: u64,
+    /// Nodes labelled outer in the half-integral phase.
+    pub visits: u64,
+    /// Searches of the half-integral phase.
+    pub half_searches: u64,
+    /// Roots that were grown together in one forest.
+    pub forest_roots: u64,
+    /// Odd cycles left by the half-integral phase; the roots of the blossom phase.
+    pub blossom_roots: u64,
+    /// Searches of the blossom phase.
+    pub blossom_searches: u64,
+    /// Nodes scanned in the blossom phase.
+    pub scans: u64,
+    /// Changes of the clock in all phases.
+    pub clock_ticks: u64,
+    /// Bits of the numbers that sufficed.
+    pub bits: u32,
+}

@@ -1,0 +1,87 @@
+//! The quad that two triangles make when their common edge is removed, and its geometry.
+
+use super::quality::scaled_jacobian;
+use crate::triangulation::{HalfEdgeId, Triangulation, VertexId};
+use crate::vector::{cross, difference, dot};
+
+/// Two triangles with a common edge, seen as one quad.
+///
+/// ```text
+///     p
+///    / \        Triangles a b p and b a o share the edge a - b.
+///   a - b       Without it they are the quad a o b p, counter-clockwise.
+///    \ /
+///     o
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeQuad {
+    /// The vertices a, o, b, p: the first and the third are the ends of the removed edge.
+    pub vertices: [VertexId; 4],
+    /// The positions of a, o, b, p.
+    pub corners: [[f64; 3]; 4],
+}
+
+impl EdgeQuad {
+    /// Returns the quad that appears when the edge of side `side`, from a to b, is removed.
+    ///
+    /// # Panics
+    /// If a vertex of it has no position.
+    #[inline]
+    pub fn across(triangulation: &Triangulation, positions: &[[f64; 3]], side: HalfEdgeId) -> Self {
+        let twin = triangulation.twin(side);
+        let sources = [side, twin.prev(), side.next(), side.prev()];
+        let vertices = sources.map(|h| triangulation.origin(h));
+        Self { vertices, corners: vertices.map(|v| positions[v.index()]) }
+    }
+
+    /// Returns the scaled Jacobian of the quad, from -1 to 1, see
+    /// [`scaled_jacobian`](super::quality::scaled_jacobian).
+    #[inline]
+    pub fn scaled_jacobian(&self) -> f64 {
+        scaled_jacobian(self.corners)
+    }
+
+    /// Returns the cosine of the angle between the normals of the two triangles.
+    ///
+    /// It is 1 if the quad is flat, 0 if it is bent by a right angle, -1 if one triangle lies on
+    /// the other. It is 0 if a triangle has no area.
+    #[inline]
+    pub fn fold_cosine(&self) -> f64 {
+        let [a, o, b, p] = self.corners;
+        // Taken at the corners o and p, as in the scaled Jacobian: nothing is computed twice, and
+        // the quad b p a o has the same bits.
+        let below = cross(difference(o, a), difference(b, o));
+        let above = cross(difference(p, b), difference(a, p));
+        let scale = (dot(below, below) * dot(above, above)).sqrt();
+        if scale > 0.0 { (dot(below, above) / scale).clamp(-1.0, 1.0) } else { 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::samples::{sculpted, triangulation};
+    use crate::triangulation::TriangleId;
+
+    proptest! {
+        #[test]
+        fn every_side_has_the_quad_of_its_two_triangles(surface in sculpted()) {
+            let triangulation = triangulation(&surface);
+            for side in triangulation.triangles().flat_map(TriangleId::half_edges) {
+                let quad = EdgeQuad::across(&triangulation, &surface.positions, side);
+                let [a, o, b, p] = quad.vertices;
+                prop_assert_eq!([a, b], triangulation.ends(side));
+                let has_corners = |h: HalfEdgeId, corners: [VertexId; 3]| {
+                    let mut turned = triangulation.corners(h.triangle());
+                    turned.rotate_left(h.index() % 3);
+                    turned == corners
+                };
+                prop_assert!(has_corners(side, [a, b, p]));
+                prop_assert!(has_corners(triangulation.twin(side), [b, a, o]));
+                prop_assert_eq!(quad.corners, quad.vertices.map(|v| surface.positions[v.index()]));
+            }
+        }
+    }
+}
