@@ -20,6 +20,8 @@
 //! | read or write a mesh file | [`Mesh`], [`mesh`] |
 //! | convert arrays that I have in memory | [`Mesh::from_triangles`], [`Converter`] |
 //! | see what is wrong with a mesh | [`Survey::new`] |
+//! | say what a good quad is | [`Converter::cost`], [`Cost`] |
+//! | solve a minimum-cost perfect matching | [`matching::weighted`] |
 //! | choose how triangles are paired | [`Converter::algorithm`], [`pairing`] |
 //! | write a pairing algorithm | [`DualGraph`], [`Matching`], [`make_maximum`], `examples/own_pairing.rs` |
 //! | check somebody else's quads | [`check`] |
@@ -45,10 +47,10 @@
 //! | [`random`], [`clock`] | seeded random numbers; seconds, scripted in tests | |
 //! | [`triangulation`] | half-edges, and the laws that make a mesh a triangulation | section 2 |
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
-//! | [`matching`] | alternating trees and blossoms | |
+//! | [`matching`] | alternating trees and blossoms; perfect matchings of least cost | |
 //! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
 //! | [`irreducible`] | contraction until no edge can be contracted: RS, Schipper's, brute force | |
-//! | [`pairing`] | initial pairings: SG, PS, DS, GW, LRS, ours | section 3 |
+//! | [`pairing`] | initial pairings: SG, PS, DS, GW, LRS, two of ours | section 3 |
 //! | [`quadrangulation`] | the quads, and a check independent of their construction | section 2 |
 //! | [`simplify`] | exactly as many vertices as asked for, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, counted and timed | section 4 |
@@ -86,5 +88,8 @@ pub use mesh::Mesh;
 pub use mesh::MeshError;
 pub use names::UnknownNameError;
 pub use pairing::{Algorithm, Expansion};
-pub use quadrangulation::{CheckReport, Mismatch, Quadrangulation, check, check_retriangulation};
+pub use quadrangulation::{
+    CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, ShapeCost, check,
+    check_retriangulation,
+};
 pub use triangulation::{Element, Law, Survey, Triangulation, Violation};

@@ -4,7 +4,10 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
-use triquad::{Algorithm, Augmentation, ConvertError, Converter, Expansion, Report};
+use triquad::{
+    Algorithm, Augmentation, ConvertError, Converter, Cost, DefaultCost, Expansion, Report,
+    ShapeCost,
+};
 
 use crate::failure::Failure;
 use crate::input::{self, Repairs};
@@ -30,12 +33,15 @@ pub struct Arguments {
     /// May be IN itself. Without it nothing is written but the summary
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
-    /// How triangles are paired at first:
-    /// tq (ours, fastest), sg (simple greedy), ps (Pulli-Segal greedy), or, perfect straight away,
-    /// ds (Diks-Stanczyk) and gw (Gawrychowski-Wasylkiewicz, the faster of the two);
-    /// lrs (contraction and expansion) flips edges
-    #[arg(long, default_value = "tq", value_name = "NAME", value_parser = one_of(Algorithm::ALL, Algorithm::id))]
+    /// How triangles are paired: best (the best-shaped quads, provably), tq (fastest, without regard
+    /// to shape); of the papers, sg (simple greedy), ps (Pulli-Segal greedy), ds (Diks-Stanczyk), gw
+    /// (Gawrychowski-Wasylkiewicz, the faster of the two); lrs (contraction and expansion) flips edges
+    #[arg(long, default_value = "best", value_name = "NAME", value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
+    /// What best minimises the sum of: default (shape, folded quads and sharp edges weighed) or shape
+    /// (10000 times 1 less the scaled Jacobian, rounded)
+    #[arg(long, default_value = "default", value_name = "NAME", value_parser = ["default", "shape"])]
+    cost: String,
     /// How lrs expands: printed (as published) or few-flips (ours: looks for another pairing before it
     /// flips an edge)
     #[arg(long, default_value = "printed", value_name = "NAME", value_parser = one_of(Expansion::ALL, Expansion::id))]
@@ -65,6 +71,10 @@ impl Arguments {
             Algorithm::Lrs(_) => Algorithm::Lrs(self.lrs_variant),
             other => other,
         }
+    }
+
+    fn cost(&self) -> &'static dyn Cost {
+        if self.cost == "shape" { &ShapeCost } else { &DefaultCost }
     }
 }
 
@@ -115,6 +125,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .algorithm(arguments.algorithm())
         .augmentation(arguments.augmentation)
         .seed(arguments.seed)
+        .cost(arguments.cost())
         .orient(arguments.repairs.orient)
         .progress(&mut status)
         .run(mesh);

@@ -9,12 +9,14 @@ use super::progress::{Progress, Stage};
 use super::report::Report;
 use crate::augmentation::{Augmentation, make_maximum};
 use crate::clock::{Clock, SystemClock};
-use crate::dual::{DualGraph, PerfectMatching};
+use crate::dual::{DualGraph, Matching, PerfectMatching};
+use crate::matching::weighted::SolveError;
 use crate::mesh::{Faces, Mesh};
-use crate::pairing::{Algorithm, InitialPairing};
+use crate::pairing::{Algorithm, InitialPairing, best};
 use crate::quadrangulation::quality::Quality;
 use crate::quadrangulation::{
-    CheckReport, Mismatch, Quadrangulation, check_faces, check_retriangulated_faces,
+    CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, SharpEdges, check_faces,
+    check_retriangulated_faces, edge_costs,
 };
 use crate::random::Random;
 use crate::triangulation::Triangulation;
@@ -35,6 +37,7 @@ pub struct Converter<'a> {
     augmentation: Augmentation,
     seed: u64,
     orient: bool,
+    cost: &'a dyn Cost,
     clock: Option<&'a dyn Clock>,
     progress: Option<&'a mut dyn Progress>,
 }
@@ -57,13 +60,14 @@ impl Default for Converter<'_> {
 }
 
 impl<'a> Converter<'a> {
-    /// Makes a converter with the default algorithm and augmentation and seed 0.
+    /// Makes a converter by `best` with [`DefaultCost`], augmentation `local` and seed 0.
     pub fn new() -> Self {
         Self {
-            algorithm: Algorithm::EagerRescue,
+            algorithm: Algorithm::Best,
             augmentation: Augmentation::Local,
             seed: 0,
             orient: false,
+            cost: &DefaultCost,
             clock: None,
             progress: None,
         }
@@ -93,6 +97,12 @@ impl<'a> Converter<'a> {
         Self { orient, ..self }
     }
 
+    /// Sets what `best` minimises the sum of, in place of [`DefaultCost`].
+    #[must_use]
+    pub fn cost(self, cost: &'a dyn Cost) -> Self {
+        Self { cost, ..self }
+    }
+
     /// Sets the clock that the report's times are read from.
     #[must_use]
     pub fn clock(self, clock: &'a dyn Clock) -> Self {
@@ -120,9 +130,14 @@ impl<'a> Converter<'a> {
         self.enter(Stage::Building);
         let (built, build_seconds) = self.time(|settings| settings.build(&mut mesh));
         let triangulation = built?;
-        let mut paired = self.pair(&triangulation)?;
+        let mut paired = self.pair(&triangulation, Some(mesh.positions()))?;
         paired.report.build_seconds = build_seconds;
         let quadrangulation = Quadrangulation::new(&paired.triangulation, &paired.perfect);
+        let sharp_edges = Some(SharpEdges::new(
+            &paired.triangulation,
+            mesh.positions(),
+            quadrangulation.removed(),
+        ));
         drop((paired.perfect, paired.dual));
 
         self.enter(Stage::Checking);
@@ -141,7 +156,14 @@ impl<'a> Converter<'a> {
         let mesh = mesh.attach(attributes);
         let quality = Some(Quality::new(&mesh));
         let CheckReport { quads, degree_two_vertices, .. } = check;
-        let report = Report { quads, degree_two_vertices, quality, check_seconds, ..paired.report };
+        let report = Report {
+            quads,
+            degree_two_vertices,
+            quality,
+            sharp_edges,
+            check_seconds: paired.report.check_seconds + check_seconds,
+            ..paired.report
+        };
         Ok(Converted { mesh, triangles, report })
     }
 
@@ -156,7 +178,7 @@ impl<'a> Converter<'a> {
         &mut self,
         triangulation: &'t Triangulation,
     ) -> Result<Quadrangulated<'t>, ConvertError> {
-        let paired = self.pair(triangulation)?;
+        let paired = self.pair(triangulation, None)?;
         let quadrangulation = Quadrangulation::new(&paired.triangulation, &paired.perfect);
         let report = Report { quads: quadrangulation.len(), ..paired.report };
         Ok(Quadrangulated { quadrangulation, triangulation: paired.triangulation, report })
@@ -176,17 +198,81 @@ impl<'a> Converter<'a> {
     }
 
     /// Pairs triangles and augments until the pairing is perfect.
-    fn pair<'t>(&mut self, triangulation: &'t Triangulation) -> Result<Paired<'t>, ConvertError> {
+    fn pair<'t>(
+        &mut self,
+        triangulation: &'t Triangulation,
+        positions: Option<&[[f64; 3]]>,
+    ) -> Result<Paired<'t>, ConvertError> {
         let mut report = Report::new(self.algorithm, self.augmentation, self.seed, triangulation);
         self.enter(Stage::Pairing);
-        let mut random = Random::stream(self.seed, &[self.algorithm.id()]);
-        let (initial, pairing_seconds) =
-            self.time(|settings| settings.algorithm.pair(triangulation, &mut random));
-        let InitialPairing { triangulation, dual, matching, edge_flips } = initial;
+        let initial = match positions {
+            Some(positions) if self.algorithm == Algorithm::Best => {
+                self.pair_by_cost(triangulation, positions, &mut report)?
+            }
+            _ => self.pair_by_name(triangulation, &mut report),
+        };
+        let InitialPairing { triangulation, dual, matching, edge_flips, proof } = initial;
         report.edge_flips = edge_flips;
-        report.pairing_seconds = pairing_seconds;
         report.unpaired_triangles = matching.unpaired_count();
+        if let Some(proof) = proof {
+            let (verdict, seconds) = self.time(|_| proof.verify(&dual, &matching));
+            verdict?;
+            report.check_seconds = seconds;
+            report.is_proved_least = true;
+        }
+        self.make_perfect(triangulation, dual, matching, report)
+    }
 
+    /// Pairs by the chosen algorithm, without costs.
+    fn pair_by_name<'t>(
+        &mut self,
+        triangulation: &'t Triangulation,
+        report: &mut Report,
+    ) -> InitialPairing<'t> {
+        let mut random = Random::stream(self.seed, &[self.algorithm.id()]);
+        let (initial, seconds) =
+            self.time(|settings| settings.algorithm.pair(triangulation, &mut random));
+        report.pairing_seconds = seconds;
+        initial
+    }
+
+    /// Pairs at the least total cost.
+    fn pair_by_cost<'t>(
+        &mut self,
+        triangulation: &'t Triangulation,
+        positions: &[[f64; 3]],
+        report: &mut Report,
+    ) -> Result<InitialPairing<'t>, ConvertError> {
+        let (costs, cost_seconds) =
+            self.time(|settings| edge_costs(triangulation, positions, settings.cost));
+        let (initial, seconds) = self.time(|settings| {
+            let mut silent = ();
+            let progress = settings.progress.as_deref_mut().unwrap_or(&mut silent);
+            best(triangulation, costs, &mut |news| progress.searching(news.roots))
+        });
+        report.cost_seconds = cost_seconds;
+        report.pairing_seconds = cost_seconds + seconds;
+        match initial {
+            Ok(initial) => {
+                report.total_cost = initial.proof.as_ref().map(|proof| proof.cost);
+                Ok(initial)
+            }
+            Err(SolveError::Stopped { .. }) => {
+                report.stopped = true;
+                Err(ConvertError::Stopped(Box::new(report.clone())))
+            }
+            Err(error) => Err(ConvertError::Costs(error)),
+        }
+    }
+
+    /// Augments until the matching is perfect.
+    fn make_perfect<'t>(
+        &mut self,
+        triangulation: Cow<'t, Triangulation>,
+        dual: DualGraph,
+        matching: Matching,
+        mut report: Report,
+    ) -> Result<Paired<'t>, ConvertError> {
         self.enter(Stage::Augmenting(report.unpaired_triangles / 2));
         let ((matching, paths), augmentation_seconds) = self.time(|settings| {
             let mut silent = ();

@@ -1,6 +1,7 @@
 //! Why a conversion has no result.
 
 use super::report::Report;
+use crate::matching::weighted::{CertificateError, SolveError};
 use crate::quadrangulation::Mismatch;
 use crate::triangulation::Survey;
 
@@ -14,7 +15,13 @@ pub enum ConvertError {
     /// The result failed its check: a mistake of this library.
     #[error("the result failed its check, please report this: {0}")]
     Wrong(#[from] Mismatch),
-    /// [`Progress`](super::Progress) stopped the augmentation; the report has what was counted.
+    /// The costs of the edges cannot be used.
+    #[error("the costs of the edges: {0}")]
+    Costs(SolveError),
+    /// The proof of least cost is wrong: a mistake of this library.
+    #[error("the proof of least cost failed its check, please report this: {0}")]
+    Unproved(#[from] CertificateError),
+    /// [`Progress`](super::Progress) stopped the conversion; the report has what was counted.
     #[error("stopped after {} augmenting paths", .0.paths.paths)]
     Stopped(Box<Report>),
 }

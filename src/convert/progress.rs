@@ -16,10 +16,16 @@ pub enum Stage {
     Checking,
 }
 
-/// Receives progress events and can stop the augmentation between two paths.
+/// Receives progress events and can stop the conversion between two searches.
 pub trait Progress {
     /// Called at the beginning of each stage.
     fn stage(&mut self, _stage: Stage) {}
+
+    /// Called now and then while `best` searches, with the number of triangles still to be paired.
+    /// [`ControlFlow::Break`] stops the conversion.
+    fn searching(&mut self, _left: usize) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 
     /// Called after each augmenting path. [`ControlFlow::Break`] stops the conversion.
     fn path_found(&mut self) -> ControlFlow<()> {

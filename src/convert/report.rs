@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::augmentation::{Augmentation, AugmentationStats};
 use crate::pairing::Algorithm;
+use crate::quadrangulation::SharpEdges;
 use crate::quadrangulation::quality::Quality;
 use crate::triangulation::Triangulation;
 
@@ -41,10 +42,18 @@ pub struct Report {
     pub paths: AugmentationStats,
     /// Whether [`Progress`](super::Progress) stopped the augmentation.
     pub stopped: bool,
+    /// Total cost of the pairing, if `best` was given coordinates.
+    pub total_cost: Option<i128>,
+    /// Whether a certificate was verified that no perfect pairing costs less.
+    pub is_proved_least: bool,
     /// Shape of the quads; none without a check.
     pub quality: Option<Quality>,
+    /// Sharp edges and those kept; none without a check.
+    pub sharp_edges: Option<SharpEdges>,
     /// Adjacency and validation, with the flips of `orient`.
     pub build_seconds: f64,
+    /// The part of column (a) in which costs of edges are computed; 0 but for `best`.
+    pub cost_seconds: f64,
     /// Column (a): from the triangulation to the initial pairing, its dual graph included.
     pub pairing_seconds: f64,
     /// Column (d): from the initial pairing to the perfect one.
@@ -76,8 +85,12 @@ impl Report {
             edge_flips: 0,
             paths: AugmentationStats::default(),
             stopped: false,
+            total_cost: None,
+            is_proved_least: false,
             quality: None,
+            sharp_edges: None,
             build_seconds: 0.0,
+            cost_seconds: 0.0,
             pairing_seconds: 0.0,
             augmentation_seconds: 0.0,
             check_seconds: 0.0,
@@ -92,6 +105,40 @@ impl Report {
     /// Returns column (e): (a) + (d).
     pub fn total_seconds(&self) -> f64 {
         self.pairing_seconds + self.augmentation_seconds
+    }
+
+    /// Writes how the pairing came about.
+    fn fmt_pairing(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(cost) = self.total_cost {
+            let proof = if self.is_proved_least { ", proved least" } else { "" };
+            return write!(f, "{}: total cost {cost}{proof}", self.algorithm);
+        }
+        write!(
+            f,
+            "{} left {} unpaired ({:.3} %), completed by {}",
+            self.algorithm,
+            self.unpaired_triangles,
+            100.0 - self.paired_percent(),
+            self.augmentation,
+        )
+    }
+
+    /// Writes the shape of the quads, if it was measured.
+    fn fmt_shape(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (Some(quality), Some(sharp)) = (&self.quality, &self.sharp_edges) else {
+            return Ok(());
+        };
+        write!(
+            f,
+            "; quality {:.3} in the mean, {:.3} at worst, {} folded; {} of {} sharp edges kept; {} \
+             vertices of degree 2",
+            quality.mean,
+            quality.minimum,
+            quality.folded,
+            sharp.kept,
+            sharp.all,
+            self.degree_two_vertices,
+        )
     }
 
     /// Writes the outcome of a conversion that was stopped.
@@ -122,18 +169,12 @@ impl fmt::Display for Report {
         }
         write!(
             f,
-            "{} triangles (genus {}) -> {} quads on the same {} vertices; {} left {} unpaired \
-             ({:.3} %), completed by {}; paired in {:.3} s",
-            self.triangles,
-            self.genus,
-            self.quads,
-            self.vertices,
-            self.algorithm,
-            self.unpaired_triangles,
-            100.0 - self.paired_percent(),
-            self.augmentation,
-            self.total_seconds(),
-        )
+            "{} triangles (genus {}) -> {} quads on the same {} vertices; ",
+            self.triangles, self.genus, self.quads, self.vertices,
+        )?;
+        self.fmt_pairing(f)?;
+        self.fmt_shape(f)?;
+        write!(f, "; paired in {:.3} s", self.total_seconds())
     }
 }
 
@@ -163,6 +204,11 @@ impl serde::Serialize for Report {
         if self.stopped {
             map.serialize_entry("stopped_after_paths", &self.paths.paths)?;
         }
+        if let Some(cost) = self.total_cost {
+            map.serialize_entry("total_cost", &cost)?;
+            map.serialize_entry("proved_least", &self.is_proved_least)?;
+            map.serialize_entry("cost_seconds", &self.cost_seconds)?;
+        }
         map.serialize_entry("build_seconds", &self.build_seconds)?;
         map.serialize_entry("pairing_seconds", &self.pairing_seconds)?;
         map.serialize_entry("augmentation_seconds", &self.augmentation_seconds)?;
@@ -174,7 +220,12 @@ impl serde::Serialize for Report {
         if let Some(quality) = &self.quality {
             map.serialize_entry("quality_minimum", &quality.minimum)?;
             map.serialize_entry("quality_mean", &quality.mean)?;
+            map.serialize_entry("folded_quads", &quality.folded)?;
             map.serialize_entry("quality_histogram", &quality.histogram[..])?;
+        }
+        if let Some(sharp) = &self.sharp_edges {
+            map.serialize_entry("sharp_edges", &sharp.all)?;
+            map.serialize_entry("sharp_edges_kept", &sharp.kept)?;
         }
         map.end()
     }

@@ -5,6 +5,7 @@
 //! [`Algorithm::ALL`].
 
 mod algorithm;
+mod best;
 pub mod cubic;
 mod eager_rescue;
 mod initial;
@@ -14,9 +15,10 @@ mod ranked_graph;
 mod simple_greedy;
 
 pub use algorithm::Algorithm;
+pub use best::best;
 pub use cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
 pub use eager_rescue::eager_rescue;
-pub use initial::InitialPairing;
+pub use initial::{InitialPairing, Proof};
 pub use lrs::{Expansion, lrs};
 pub use pulli_segal::pulli_segal;
 pub use simple_greedy::simple_greedy;

@@ -47,13 +47,25 @@ impl EdgeQuad {
     /// the other. It is 0 if a triangle has no area.
     #[inline]
     pub fn fold_cosine(&self) -> f64 {
+        self.cosine().unwrap_or(0.0)
+    }
+
+    /// Returns whether both triangles have an area and the cosine of their normals' angle is less.
+    #[inline]
+    pub(super) fn is_bent_beyond(&self, cosine: f64) -> bool {
+        self.cosine().is_some_and(|own| own < cosine)
+    }
+
+    /// Returns the cosine of the angle between the normals, if both triangles have an area.
+    #[inline]
+    fn cosine(&self) -> Option<f64> {
         let [a, o, b, p] = self.corners;
         // Taken at the corners o and p, as in the scaled Jacobian: nothing is computed twice, and
         // the quad b p a o has the same bits.
         let below = cross(difference(o, a), difference(b, o));
         let above = cross(difference(p, b), difference(a, p));
         let scale = (dot(below, below) * dot(above, above)).sqrt();
-        if scale > 0.0 { (dot(below, above) / scale).clamp(-1.0, 1.0) } else { 0.0 }
+        (scale > 0.0).then(|| (dot(below, above) / scale).clamp(-1.0, 1.0))
     }
 }
 

@@ -5,6 +5,7 @@ mod cost;
 mod edge_quad;
 pub mod quality;
 mod retriangulation;
+mod sharp_edges;
 
 use crate::dual::PerfectMatching;
 use crate::mesh::{Attributes, FaceSection, Faces, Mesh, NO_INDEX};
@@ -16,6 +17,7 @@ pub use cost::{Cost, DefaultCost, ShapeCost, edge_costs};
 pub use edge_quad::EdgeQuad;
 pub(crate) use retriangulation::check_retriangulated_faces;
 pub use retriangulation::check_retriangulation;
+pub use sharp_edges::SharpEdges;
 
 /// A quadrangulation of the surface of a triangulation, on the same vertices.
 ///
@@ -45,6 +47,11 @@ impl Quadrangulation {
             corners.push(quad_across(triangulation, side));
         }
         Self { removed, corners }
+    }
+
+    /// Returns for each quad the side of its lower triangle that was removed.
+    pub fn removed(&self) -> &[HalfEdgeId] {
+        &self.removed
     }
 
     /// Number of quads, half the number of triangles.

@@ -14,6 +14,8 @@ pub struct Quality {
     pub minimum: f64,
     /// The mean of all; 0 if there is no quad.
     pub mean: f64,
+    /// Number of quads folded or not convex, those of scaled Jacobian 0 and less.
+    pub folded: usize,
     /// Number of quads in each class: class i has those from i / 10 - 1 to (i + 1) / 10 - 1.
     pub histogram: [usize; CLASSES],
 }
@@ -22,20 +24,21 @@ impl Quality {
     /// Measures all faces of four corners of `mesh`, which must exist. O(n).
     pub fn new(mesh: &Mesh) -> Self {
         let mut histogram = [0; CLASSES];
-        let (mut least, mut sum, mut count) = (f64::INFINITY, 0.0, 0);
+        let (mut least, mut sum, mut count, mut folded) = (f64::INFINITY, 0.0, 0, 0);
         for face in mesh.faces().iter() {
             let Ok(&quad) = <&[u32; 4]>::try_from(face) else { continue };
             let value = scaled_jacobian(quad.map(|v| mesh.positions()[v as usize]));
             let class = ((value + 1.0) * (CLASSES as f64 / 2.0)) as usize;
             histogram[class.min(CLASSES - 1)] += 1;
+            folded += usize::from(value <= 0.0);
             least = least.min(value);
             sum += value;
             count += 1;
         }
         if count == 0 {
-            return Self { minimum: 0.0, mean: 0.0, histogram };
+            return Self { minimum: 0.0, mean: 0.0, folded, histogram };
         }
-        Self { minimum: least, mean: sum / f64::from(count), histogram }
+        Self { minimum: least, mean: sum / f64::from(count), folded, histogram }
     }
 }
 
@@ -96,7 +99,7 @@ mod tests {
         let quality = Quality::new(&Mesh::new(positions, faces));
         let mut histogram = [0; CLASSES];
         (histogram[19], histogram[10]) = (1, 1);
-        assert_eq!(quality, Quality { minimum: 0.0, mean: 0.5, histogram });
+        assert_eq!(quality, Quality { minimum: 0.0, mean: 0.5, folded: 1, histogram });
         let none = Quality::new(&Mesh::default());
         assert_eq!((none.minimum, none.mean), (0.0, 0.0));
     }

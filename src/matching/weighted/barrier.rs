@@ -72,7 +72,10 @@ impl Components {
     fn odd(mut self, problem: &impl Problem, counted: impl Fn(u32) -> bool) -> usize {
         let count = problem.node_count() as u32;
         let mut parity = vec![0_u32; count as usize];
-        for node in (0..count).filter(|&node| !self.removed[node as usize]).collect::<Vec<_>>() {
+        for node in 0..count {
+            if self.removed[node as usize] {
+                continue;
+            }
             let slot = &mut parity[self.find(node) as usize];
             *slot = if *slot == NONE || !counted(node) { NONE } else { *slot ^ 1 };
         }

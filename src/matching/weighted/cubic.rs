@@ -41,7 +41,9 @@ impl<N: Number> Cubic<N> {
             return Err(Refusal::TooLarge);
         }
         let nodes = 0..count as u32;
-        let rows = nodes.clone().map(|node| row(problem, node)).collect::<Result<Vec<_>, _>>()?;
+        let rows = nodes.clone().map(|node| row(problem, node));
+        let mut rows = rows.collect::<Result<Vec<_>, _>>()?;
+        nodes.clone().try_for_each(|node| join(&mut rows, node))?;
         let prices = if nodes.clone().any(|node| problem.price(node).is_some()) {
             let price = |node| problem.price(node).map(doubled).transpose();
             nodes.map(price).collect::<Result<_, _>>()?
@@ -63,64 +65,55 @@ impl<N: Number> Cubic<N> {
     }
 }
 
+/// State of a node without mate, label, mark and set.
+const EMPTY: u64 = u64::MAX << SET;
+
+/// Reads a node; neighbours stand for twins. The lowest three bits of the state are for [`join`].
 #[inline]
 fn row<N: Number>(problem: &impl CubicProblem, node: u32) -> Result<Row<N>, Refusal> {
     let neighbours = problem.neighbours(node);
     let costs = problem.costs(node);
     let mut row =
         Row { twins: [NONE; 3], costs: [N::ZERO; 3], potential: N::ZERO, state: N::state(EMPTY) };
-    for side in 0..3 {
-        let neighbour = neighbours[side];
-        if neighbour == NO_NODE || neighbour == node {
-            continue;
+    for (side, neighbour) in neighbours.into_iter().enumerate() {
+        if neighbour != NO_NODE && neighbour != node {
+            row.twins[side] = neighbour;
+            row.costs[side] = doubled(costs[side])?;
         }
-        let back = side_back(problem, node, side, &neighbours, &costs)?;
-        row.twins[side] = 4 * neighbour + back as u32;
-        row.costs[side] = doubled(costs[side])?;
     }
     Ok(row)
 }
 
-/// State of a node without mate, label, mark and set.
-const EMPTY: u64 = u64::MAX << SET;
-
-/// Returns the side of the neighbour across `side` that is the same edge.
-#[inline]
-fn side_back(
-    problem: &impl CubicProblem,
-    node: u32,
-    side: usize,
-    neighbours: &[u32; 3],
-    costs: &[i128; 3],
-) -> Result<usize, Refusal> {
-    let neighbour = neighbours[side];
-    if neighbour as usize >= problem.node_count() {
-        return Err(Refusal::NoSuchNode(neighbour));
-    }
-    let (theirs, their_costs) = (problem.neighbours(neighbour), problem.costs(neighbour));
-    let is_only =
-        neighbours[(side + 1) % 3] != neighbour && neighbours[(side + 2) % 3] != neighbour;
-    let back = if is_only {
-        (0..3).find(|&i| theirs[i] == node && their_costs[i] == costs[side])
-    } else {
-        parallel_back(node, side, (neighbours, costs), (&theirs, &their_costs))
-    };
-    back.ok_or(Refusal::Asymmetric(node, neighbour))
-}
-
-/// Like [`side_back`] for one of several edges between two nodes.
+/// Makes twins of a node's sides to later nodes; those to earlier ones have been made.
 ///
-/// They correspond by cost, and those of equal cost in the order of the sides.
-fn parallel_back(
-    node: u32,
-    side: usize,
-    (ours, our_costs): (&[u32; 3], &[i128; 3]),
-    (theirs, their_costs): (&[u32; 3], &[i128; 3]),
-) -> Option<usize> {
-    let is_equal = |&i: &usize| ours[i] == ours[side] && our_costs[i] == our_costs[side];
-    let rank = (0..side).filter(is_equal).count();
-    let is_back = |&i: &usize| theirs[i] == node && their_costs[i] == our_costs[side];
-    (0..3).filter(is_back).nth(rank)
+/// Several edges between two nodes correspond by cost, equal ones in the order of the sides. Bit i
+/// of a state says whether side i has its twin.
+#[inline]
+fn join<N: Number>(rows: &mut [Row<N>], node: u32) -> Result<(), Refusal> {
+    let row = rows[node as usize];
+    let joined: u64 = row.state.into();
+    for side in 0..3 {
+        let neighbour = row.twins[side];
+        if joined >> side & 1 != 0 || neighbour == NONE {
+            continue;
+        }
+        let asymmetric = Refusal::Asymmetric(node, neighbour);
+        if neighbour < node {
+            return Err(asymmetric);
+        }
+        let other = rows.get_mut(neighbour as usize).ok_or(Refusal::NoSuchNode(neighbour))?;
+        let theirs: u64 = other.state.into();
+        let is_back = |&i: &usize| {
+            let is_open = theirs >> i & 1 == 0;
+            is_open && other.twins[i] == node && other.costs[i] == row.costs[side]
+        };
+        let back = (0..3).find(is_back).ok_or(asymmetric)?;
+        other.twins[back] = 4 * node + side as u32;
+        other.state = N::state(theirs | 1 << back);
+        rows[node as usize].twins[side] = 4 * neighbour + back as u32;
+    }
+    rows[node as usize].state = N::state(EMPTY);
+    Ok(())
 }
 
 impl<N: Number> Nodes for Cubic<N> {

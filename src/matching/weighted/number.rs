@@ -61,7 +61,7 @@ pub(super) fn doubled<N: Number>(cost: i128) -> Result<N, Refusal> {
 }
 
 macro_rules! number {
-    ($int:ty, $state:ty, $event:ty, $integers:ident, $pack:expr, $unpack:expr) => {
+    ($int:ty, $state:ty, $event:ty, $integers:ident, $pack:ident, $unpack:ident) => {
         impl Number for Wrapping<$int> {
             type Event = $event;
             type State = $state;
@@ -90,11 +90,11 @@ macro_rules! number {
             #[inline]
             fn event(time: Self, code: u32) -> Self::Event {
                 debug_assert!(time >= Self::ZERO);
-                ($pack)(time.0, code)
+                $pack(time.0, code)
             }
             #[inline]
             fn unpack(event: Self::Event) -> (Self, u32) {
-                let (time, code) = ($unpack)(event);
+                let (time, code) = $unpack(event);
                 (Wrapping(time), code)
             }
             #[inline]
@@ -108,20 +108,36 @@ macro_rules! number {
     };
 }
 
-number!(
-    i32,
-    u32,
-    u64,
-    Narrow,
-    |time: i32, code| u64::from(time as u32) << 32 | u64::from(code),
-    |event: u64| ((event >> 32) as i32, event as u32)
-);
-number!(
-    i64,
-    u64,
-    u128,
-    Wide,
-    |time: i64, code| u128::from(time as u64) << 32 | u128::from(code),
-    |event: u128| ((event >> 32) as i64, event as u32)
-);
-number!(i128, u64, (i128, u32), Widest, |time, code| (time, code), |event| event);
+#[inline]
+fn pack_32(time: i32, code: u32) -> u64 {
+    u64::from(time as u32) << 32 | u64::from(code)
+}
+
+#[inline]
+fn unpack_32(event: u64) -> (i32, u32) {
+    ((event >> 32) as i32, event as u32)
+}
+
+#[inline]
+fn pack_64(time: i64, code: u32) -> u128 {
+    u128::from(time as u64) << 32 | u128::from(code)
+}
+
+#[inline]
+fn unpack_64(event: u128) -> (i64, u32) {
+    ((event >> 32) as i64, event as u32)
+}
+
+#[inline]
+fn pack_128(time: i128, code: u32) -> (i128, u32) {
+    (time, code)
+}
+
+#[inline]
+fn unpack_128(event: (i128, u32)) -> (i128, u32) {
+    event
+}
+
+number!(i32, u32, u64, Narrow, pack_32, unpack_32);
+number!(i64, u64, u128, Wide, pack_64, unpack_64);
+number!(i128, u64, (i128, u32), Widest, pack_128, unpack_128);

@@ -72,7 +72,8 @@ pub fn lrs(triangulation: &Triangulation, expansion: Expansion) -> InitialPairin
         Expansion::FewFlips => few_flips::expand_all(reduction, &mut ()).finish(triangulation),
     };
     debug_assert!(matching.is_matching_of(&dual));
-    InitialPairing { triangulation: Cow::Owned(triangulation), dual, matching, edge_flips }
+    let triangulation = Cow::Owned(triangulation);
+    InitialPairing { triangulation, dual, matching, edge_flips, proof: None }
 }
 
 /// Returns the contraction step: RS, vertices in the order of the file.

@@ -158,7 +158,7 @@ impl Way {
     fn new(kids: &[Kid], first: usize, last: usize) -> Self {
         let count = kids.len();
         let ahead = (last + count - first) % count;
-        let is_forward = ahead % 2 == 0;
+        let is_forward = ahead.is_multiple_of(2);
         Self { first, steps: if is_forward { ahead } else { count - ahead }, is_forward, count }
     }
 

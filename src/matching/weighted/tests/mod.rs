@@ -2,6 +2,7 @@
 
 mod brute_force;
 mod cubic;
+mod dual;
 mod graphs;
 mod sparse;
 mod special;

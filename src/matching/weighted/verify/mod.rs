@@ -136,8 +136,8 @@ impl OddSets {
 
     /// Returns Σ y + Σ z, or nothing if that is too large.
     fn bound(&self, certificate: &Certificate) -> Option<i128> {
-        let values = (0..certificate.values.len()).map(|set| certificate.values.get(set));
-        let sets = values.into_iter().try_fold(0_i128, |sum, z| sum.checked_add(z))?;
+        let mut values = (0..certificate.values.len()).map(|set| certificate.values.get(set));
+        let sets = values.try_fold(0_i128, |sum, z| sum.checked_add(z))?;
         certificate.innermost.iter().enumerate().try_fold(sets, |sum, (node, &set)| {
             let inside = if set == NONE { 0 } else { self.inside[set as usize] };
             sum.checked_add(certificate.potentials.get(node).checked_sub(inside)?)
