@@ -8,11 +8,9 @@ use triquad::irreducible::{Contractor, Counts, Order, check_irreducible};
 
 use crate::failure::Failure;
 use crate::formats::{may_write, reads};
-use crate::input::Repairs;
 use crate::machine;
 use crate::names::one_of;
-use crate::reduction::{InputTimes, Opened, Sizes};
-use crate::targets::Paths;
+use crate::reduction::{Opened, Options, Sizes};
 
 /// Contract edges of a closed triangle mesh until none can be without changing the surface
 ///
@@ -40,11 +38,8 @@ pub struct Arguments {
     /// Seed of brute-force and of --order random; the same seed gives the same bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
     seed: u64,
-    /// Write counts and times as JSON to FILE, '-' for standard output
-    #[arg(long, value_name = "FILE")]
-    stats: Option<PathBuf>,
     #[command(flatten)]
-    repairs: Repairs,
+    options: Options,
 }
 
 /// The record of one run; times in seconds.
@@ -59,8 +54,8 @@ struct Stats {
     sizes: Sizes,
     #[serde(flatten)]
     tests: Counts,
-    #[serde(flatten)]
-    input_times: InputTimes,
+    read_seconds: f64,
+    build_seconds: f64,
     seconds: f64,
     check_seconds: f64,
     peak_memory_bytes: Option<u64>,
@@ -69,22 +64,17 @@ struct Stats {
 /// Reads, contracts, checks, writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let clock = SystemClock::default();
-    let &Arguments { algorithm, order, seed, repairs, .. } = arguments;
-    let paths = Paths {
-        input: &arguments.input,
-        output: arguments.output.as_deref(),
-        triangles: None,
-        stats: arguments.stats.as_deref(),
-    };
-    let mut opened = Opened::open(paths, repairs, &clock)?;
+    let Arguments { input, output, algorithm, order, seed, options } = arguments;
+    let mut opened = Opened::open(input, output.as_deref(), options, &clock)?;
     let size = opened.size;
     opened.status.say("contracting edges");
-    let (irreducible, seconds) = clock.time(|| algorithm.reduce(opened.triangulation, order, seed));
+    let (irreducible, seconds) =
+        clock.time(|| algorithm.reduce(opened.triangulation, *order, *seed));
     opened.status.say("checking what is left");
     let left = irreducible.mesh(&opened.mesh);
     let (verdict, check_seconds) =
         clock.time(|| check_irreducible(&left, size.components, size.genus));
-    let input = arguments.input.display().to_string();
+    let input = input.display().to_string();
     verdict.map_err(|problem| {
         Failure::no(format!("{input}: the result failed its check, please report this: {problem}"))
     })?;
@@ -94,12 +84,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let stats = Stats {
         schema: "triquad-irreducible-1",
         input,
-        algorithm,
-        order,
-        seed,
+        algorithm: *algorithm,
+        order: *order,
+        seed: *seed,
         sizes: Sizes::new(size, &irreducible.triangulation),
         tests: irreducible.counts,
-        input_times: opened.times,
+        read_seconds: opened.read_seconds,
+        build_seconds: opened.build_seconds,
         seconds,
         check_seconds,
         peak_memory_bytes: machine::peak_memory_bytes(),

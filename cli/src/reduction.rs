@@ -1,6 +1,8 @@
 //! The common part of `irreducible` and `simplify`: a triangulation comes in, a smaller one goes
 //! out.
 
+use std::path::{Path, PathBuf};
+
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
 use triquad::{Mesh, Triangulation};
@@ -10,6 +12,16 @@ use crate::input::{self, Repairs};
 use crate::progress::StatusLine;
 use crate::targets::{Paths, Targets};
 
+/// Options of both verbs.
+#[derive(clap::Args)]
+pub struct Options {
+    /// Write counts and times as JSON to FILE, '-' for standard output
+    #[arg(long, value_name = "FILE")]
+    stats: Option<PathBuf>,
+    #[command(flatten)]
+    repairs: Repairs,
+}
+
 /// A triangulation that was read, and the files that the result goes to.
 pub struct Opened<'a> {
     pub status: StatusLine,
@@ -17,7 +29,8 @@ pub struct Opened<'a> {
     pub mesh: Mesh,
     pub triangulation: Triangulation,
     pub size: InputSize,
-    pub times: InputTimes,
+    pub read_seconds: f64,
+    pub build_seconds: f64,
     /// Content of the input that the result does not carry over.
     pub left_out: Vec<String>,
 }
@@ -30,13 +43,6 @@ pub struct InputSize {
     pub triangles: usize,
     pub genus: usize,
     pub components: usize,
-}
-
-/// Seconds before the first contraction.
-#[derive(Clone, Copy, Serialize)]
-pub struct InputTimes {
-    pub read_seconds: f64,
-    pub build_seconds: f64,
 }
 
 /// Counts of the input and of the result.
@@ -52,22 +58,29 @@ pub struct Sizes {
 
 impl<'a> Opened<'a> {
     /// Opens the files to write, reads the mesh and builds its triangulation.
-    pub fn open(paths: Paths<'a>, repairs: Repairs, clock: &SystemClock) -> Result<Self, Failure> {
+    pub fn open(
+        input: &'a Path,
+        output: Option<&'a Path>,
+        options: &'a Options,
+        clock: &SystemClock,
+    ) -> Result<Self, Failure> {
         let status = StatusLine::new("reading the mesh");
-        let targets = Targets::open(paths)?;
-        let (mesh, read_seconds) = clock.time(|| input::read(paths.input));
+        let stats = options.stats.as_deref();
+        let targets = Targets::open(Paths { input, output, triangles: None, stats })?;
+        let (mesh, read_seconds) = clock.time(|| input::read(input));
         let mut mesh = mesh?;
         status.say("building the triangulation");
-        let (built, build_seconds) = clock.time(|| input::build(paths.input, &mut mesh, repairs));
+        let (built, build_seconds) = clock.time(|| input::build(input, &mut mesh, options.repairs));
         let triangulation = built?;
         Ok(Self {
             size: InputSize::new(&triangulation),
-            times: InputTimes { read_seconds, build_seconds },
             left_out: input::left_out_of_triangles(&mesh),
             status,
             targets,
             mesh,
             triangulation,
+            read_seconds,
+            build_seconds,
         })
     }
 }

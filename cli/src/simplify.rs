@@ -1,6 +1,6 @@
 //! `triquad simplify`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
@@ -9,10 +9,8 @@ use triquad::{Mesh, Triangulation};
 
 use crate::failure::Failure;
 use crate::formats::{may_write, reads};
-use crate::input::Repairs;
 use crate::machine;
-use crate::reduction::{InputTimes, Opened, Sizes};
-use crate::targets::Paths;
+use crate::reduction::{Opened, Options, Sizes};
 
 /// Simplify a closed triangle mesh to an exact number of vertices
 ///
@@ -31,11 +29,8 @@ pub struct Arguments {
     vertices: usize,
     #[arg(short, long, value_name = "OUT", help = may_write("Where the triangles go"))]
     output: Option<PathBuf>,
-    /// Write counts and times as JSON to FILE, '-' for standard output
-    #[arg(long, value_name = "FILE")]
-    stats: Option<PathBuf>,
     #[command(flatten)]
-    repairs: Repairs,
+    options: Options,
 }
 
 /// The record of one simplification; angles in degrees, times in seconds.
@@ -48,8 +43,8 @@ struct Stats {
     largest_degree: u32,
     smallest_angle_degrees: f64,
     largest_angle_degrees: f64,
-    #[serde(flatten)]
-    input_times: InputTimes,
+    read_seconds: f64,
+    build_seconds: f64,
     seconds: f64,
     write_seconds: f64,
     peak_memory_bytes: Option<u64>,
@@ -58,35 +53,31 @@ struct Stats {
 /// Reads, simplifies, writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let clock = SystemClock::default();
-    let paths = Paths {
-        input: &arguments.input,
-        output: arguments.output.as_deref(),
-        triangles: None,
-        stats: arguments.stats.as_deref(),
-    };
-    let Opened { status, mut targets, mesh, triangulation, size, times, left_out } =
-        Opened::open(paths, arguments.repairs, &clock)?;
-    status.say("contracting edges");
-    let (simplified, seconds) = clock.time(|| simplified(triangulation, mesh, arguments.vertices));
-    let (mesh, triangulation) = simplified.map_err(|error| failure(arguments, &error))?;
-    status.say("writing the triangles");
-    let (written, write_seconds) = clock.time(|| targets.write_mesh(&mesh));
+    let Arguments { input, vertices, output, options } = arguments;
+    let mut opened = Opened::open(input, output.as_deref(), options, &clock)?;
+    opened.status.say("contracting edges");
+    let (simplified, seconds) =
+        clock.time(|| simplified(opened.triangulation, opened.mesh, *vertices));
+    let (mesh, triangulation) = simplified.map_err(|error| failure(input, &error))?;
+    opened.status.say("writing the triangles");
+    let (written, write_seconds) = clock.time(|| opened.targets.write_mesh(&mesh));
     written?;
-    drop(status);
+    drop(opened.status);
     let shape = Shape::new(&mesh);
     let stats = Stats {
         schema: "triquad-simplify-1",
-        input: arguments.input.display().to_string(),
-        sizes: Sizes::new(size, &triangulation),
+        input: input.display().to_string(),
+        sizes: Sizes::new(opened.size, &triangulation),
         largest_degree: shape.largest_degree,
         smallest_angle_degrees: shape.smallest_angle(),
         largest_angle_degrees: shape.largest_angle(),
-        input_times: times,
+        read_seconds: opened.read_seconds,
+        build_seconds: opened.build_seconds,
         seconds,
         write_seconds,
         peak_memory_bytes: machine::peak_memory_bytes(),
     };
-    targets.finish(&stats, &left_out, &summary(&stats))
+    opened.targets.finish(&stats, &opened.left_out, &summary(&stats))
 }
 
 /// Simplifies to `vertices` vertices. Drops `mesh` early: only its positions are needed, at first.
@@ -101,8 +92,8 @@ fn simplified(
     Ok(simplifier.result())
 }
 
-fn failure(arguments: &Arguments, error: &SimplifyError) -> Failure {
-    let input = arguments.input.display();
+fn failure(input: &Path, error: &SimplifyError) -> Failure {
+    let input = input.display();
     let remedy = match error {
         SimplifyError::TooMany { present, .. } => format!("ask for {present} or fewer"),
         SimplifyError::Irreducible { reached, .. } => format!("ask for {reached} or more"),
