@@ -12,8 +12,8 @@ use crate::stdio;
 /// Check that a quad mesh is a quadrangulation of a triangle mesh
 ///
 /// From the two files alone: the same vertices, every quad the union of two triangles across their
-/// common edge, every triangle in exactly one quad, closed, oriented, one fan round every vertex, the
-/// same Euler characteristic. Exit code 1 and one line if not.
+/// common edge, every triangle in exactly one quad, closed, oriented, one fan round every vertex,
+/// the same Euler characteristic. Exit code 1 and one line if not.
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad check quads.obj --against bunny.obj")]
 pub struct Arguments {
@@ -23,9 +23,9 @@ pub struct Arguments {
     /// The triangle mesh that it was made from
     #[arg(long, value_name = "TRIANGLES")]
     against: PathBuf,
-    /// The triangulation whose triangles were paired, as convert --write-triangulation writes it, if
-    /// it is not TRIANGLES: the quads are checked against it, and it must triangulate the surface of
-    /// TRIANGLES on the same vertices
+    /// The triangulation whose triangles were paired, as convert --write-triangulation writes it,
+    /// if it is not TRIANGLES: the quads are checked against it, and it must triangulate the
+    /// surface of TRIANGLES on the same vertices
     #[arg(long, value_name = "K")]
     triangulation: Option<PathBuf>,
     #[command(flatten)]
@@ -53,7 +53,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = arguments.quads.display();
     let report = report.map_err(|mismatch| Failure::no(format!("{name}: {mismatch}")))?;
     stdio::say(&format!(
-        "{name}: ok: {} quads on the {} vertices of {}, {} of them of degree 2, Euler characteristic {}",
+        "{name}: ok: {} quads on the {} vertices of {}, {} of them of degree 2, Euler \
+         characteristic {}",
         report.quads,
         report.vertices,
         arguments.triangulation.as_ref().unwrap_or(&arguments.against).display(),

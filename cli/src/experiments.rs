@@ -10,20 +10,17 @@ use triquad_lab::meshes::paper::Scale;
 
 use crate::failure::Failure;
 use crate::names::one_of;
+use crate::stdio;
 
-/// Which runs.
+/// The runs to do.
 #[derive(clap::Args)]
 pub struct Selection {
     /// What to run
     #[arg(value_name = "EXPERIMENT.toml", required = true)]
     files: Vec<PathBuf>,
     /// How large the papers' meshes are made: full, small (a twentieth) or demo (a hundredth)
-    #[arg(
-        long,
-        default_value = "full",
-        value_name = "SCALE",
-        value_parser = one_of(Scale::ALL, Scale::id)
-    )]
+    #[arg(long, default_value = "full", value_name = "SCALE")]
+    #[arg(value_parser = one_of(Scale::ALL, Scale::id))]
     scale: Scale,
     /// A folder with meshes of your own: scans of the papers by name ('botijo.obj', 'eros.ply.gz'
     /// …), others under the names of their files. May be given more than once
@@ -37,6 +34,7 @@ pub struct Selection {
     timeout: Option<u64>,
 }
 
+/// Reads `I/N` with I from 1 to N.
 fn parse_shard(text: &str) -> Result<(usize, usize), String> {
     let parts = text.split_once('/');
     let numbers = parts.and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
@@ -47,7 +45,7 @@ fn parse_shard(text: &str) -> Result<(usize, usize), String> {
 }
 
 impl Selection {
-    /// Returns the plan of the selected runs.
+    /// Returns the plan of the selected runs and prints its remarks on standard error.
     pub fn plan(&self) -> Result<Plan, Failure> {
         let mut experiments = Vec::new();
         for file in &self.files {
@@ -68,6 +66,7 @@ impl Selection {
         if let Some((i, n)) = self.shard {
             plan.shard(i, n);
         }
+        plan.remarks.iter().for_each(|remark| stdio::complain(remark));
         Ok(plan)
     }
 

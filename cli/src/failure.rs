@@ -1,6 +1,6 @@
-//! Exit codes with their messages.
+//! The failure of a verb.
 
-/// Why a verb ends without success: an exit code and a line for standard error.
+/// An exit code other than 0 and its message.
 pub struct Failure {
     /// Exit code.
     pub code: u8,
@@ -9,12 +9,12 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// A check said no.
+    /// Makes the failure of a check.
     pub fn no(message: String) -> Self {
         Self { code: 1, message }
     }
 
-    /// Bad input or usage.
+    /// Makes the failure of bad input or usage.
     pub fn bad(message: String) -> Self {
         Self { code: 2, message }
     }

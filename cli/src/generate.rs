@@ -10,6 +10,7 @@ use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
 use triquad_lab::meshes::{BoxShape, Cache, GenerateError, Recipe};
 
 use crate::failure::Failure;
+use crate::formats::writes;
 use crate::names::one_of;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
@@ -90,12 +91,8 @@ struct PaperArguments {
     #[arg(value_name = "NAME", value_parser = one_of(paper::ALL, |mesh| mesh.name))]
     mesh: PaperMesh,
     /// How large: full, small (a twentieth) or demo (a hundredth)
-    #[arg(
-        long,
-        default_value = "full",
-        value_name = "SCALE",
-        value_parser = one_of(Scale::ALL, Scale::id)
-    )]
+    #[arg(long, default_value = "full", value_name = "SCALE")]
+    #[arg(value_parser = one_of(Scale::ALL, Scale::id))]
     scale: Scale,
     #[command(flatten)]
     target: Target,
@@ -105,11 +102,11 @@ struct PaperArguments {
 
 #[derive(Args)]
 struct Target {
-    /// Where the mesh goes: .obj .ply .off, each also with .gz; '-' writes OBJ to standard output
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", help = writes("Where the mesh goes"))]
     output: PathBuf,
 }
 
+/// The option that names the cache.
 #[derive(Args)]
 pub struct CacheOption {
     /// Where meshes are kept that take long to make [default: 'triquad' in the user's folder for
@@ -118,24 +115,23 @@ pub struct CacheOption {
     cache: Option<PathBuf>,
 }
 
-/// Makes and writes.
+/// Makes the mesh and writes it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    match &arguments.mesh {
-        MeshCommand::Box(wanted) => {
-            let BoxArguments { vertices, cavities, holes, .. } = *wanted;
-            let recipe = Recipe::Box(BoxShape { cavities, holes, vertices });
-            make(&recipe, holes, &wanted.target.output, None)
+    let (recipe, genus, target, cache) = match &arguments.mesh {
+        MeshCommand::Box(BoxArguments { vertices, cavities, holes, target, .. }) => {
+            let shape = BoxShape { cavities: *cavities, holes: *holes, vertices: *vertices };
+            (Recipe::Box(shape), *holes, target, None)
         }
-        MeshCommand::StandIn(wanted) => {
-            let StandInArguments { vertices, genus, seed, .. } = *wanted;
-            let recipe = Recipe::StandIn { vertices, genus, seed };
-            make(&recipe, genus, &wanted.target.output, wanted.cache.folder().map(Cache::new))
+        MeshCommand::StandIn(StandInArguments { vertices, genus, seed, target, cache }) => {
+            let recipe = Recipe::StandIn { vertices: *vertices, genus: *genus, seed: *seed };
+            (recipe, *genus, target, cache.folder())
         }
-        MeshCommand::Paper(wanted) => {
-            let PaperMesh { recipe, genus, .. } = wanted.mesh.at(wanted.scale);
-            make(&recipe, genus, &wanted.target.output, wanted.cache.folder().map(Cache::new))
+        MeshCommand::Paper(PaperArguments { mesh, scale, target, cache }) => {
+            let PaperMesh { recipe, genus, .. } = mesh.at(*scale);
+            (recipe, genus, target, cache.folder())
         }
-    }
+    };
+    make(&recipe, genus, &target.output, cache.map(Cache::new))
 }
 
 impl CacheOption {
@@ -146,6 +142,7 @@ impl CacheOption {
     }
 }
 
+/// Makes the mesh of `recipe`, from `cache` if there is one, and writes it to `path`.
 fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Result<(), Failure> {
     let clock = SystemClock::default();
     let output = Output::create(path).map_err(|error| input::mesh_failure(path, &error))?;
@@ -154,18 +151,18 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
         Some(cache) => cache.get(recipe),
         None => recipe.make(),
     });
-    let list = made.map_err(|error| failure(recipe, &error))?;
+    let mesh = made.map_err(|error| failure(recipe, &error))?;
     status.say("writing the mesh");
-    let shape = Shape::new(&list);
-    let (written, write_seconds) = clock.time(|| output.write(&list));
+    let shape = Shape::new(&mesh);
+    let (written, write_seconds) = clock.time(|| output.write(&mesh));
     written.map_err(|error| input::mesh_failure(path, &error))?;
     drop(status);
     let line = format!(
         "{}: {} vertices, {} triangles, genus {genus}; largest degree {}, angles {:.1} to {:.1} \
          degrees; made in {make_seconds:.3} s, written in {write_seconds:.3} s",
         path.display(),
-        list.positions().len(),
-        list.faces().len(),
+        mesh.positions().len(),
+        mesh.faces().len(),
         shape.largest_degree,
         shape.smallest_angle(),
         shape.largest_angle(),

@@ -1,8 +1,8 @@
-//! The allocator of the tool: the system's, but large arrays ask for huge pages.
+//! The allocator of the tool: the system's, with huge pages for large arrays.
 //!
-//! Neighbours in a mesh may lie far apart in memory, and with pages of 4 KiB the processor misses
-//! not only the data but also where they are; and every page is given by the kernel on its own.
-//! Linux has pages of 2 MiB, on most machines only for who asks.
+//! Neighbours in a mesh may lie far apart in memory. With pages of 4 KiB such an access misses the
+//! cache of addresses as well as the data, and the kernel provides each page on its own. Linux
+//! offers 2 MiB pages, on most systems only on request (`madvise`).
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::ffi::c_void;
@@ -14,16 +14,16 @@ pub struct HugePages;
 
 const HUGE_PAGE: usize = 2 << 20;
 
-/// Of a block of this size, half at least is whole huge pages.
+/// Least size of a large block; at least half of it is whole huge pages.
 const LARGE: usize = 4 * HUGE_PAGE;
 
-// SAFETY: every call is forwarded to `System` with the arguments as they are, whose blocks are
-// returned as they are; advice changes neither what is in a block nor who owns it.
+// SAFETY: every call is forwarded to `System` with its arguments, and the block is returned as it
+// is. The advice changes neither content nor owner of a block.
 #[allow(unsafe_code)]
 unsafe impl GlobalAlloc for HugePages {
     #[inline]
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        // SAFETY: the caller's promises are those that `System` asks for.
+        // SAFETY: `System` has the same contract, which the caller keeps.
         advise(unsafe { System.alloc(layout) }, layout.size())
     }
 
@@ -46,7 +46,7 @@ unsafe impl GlobalAlloc for HugePages {
     }
 }
 
-/// Advises the kernel on the block of `size` bytes, if it is large, and gives it back.
+/// Requests huge pages for a large block of `size` bytes; returns the block.
 #[inline]
 fn advise(block: *mut u8, size: usize) -> *mut u8 {
     if size >= LARGE && !block.is_null() {
@@ -55,8 +55,8 @@ fn advise(block: *mut u8, size: usize) -> *mut u8 {
     block
 }
 
-/// Advises on what is whole huge pages inside a block, which nothing else is in. A kernel that has
-/// none says so, and nothing has changed.
+/// Requests huge pages for the whole huge pages inside a block. Without effect where the kernel has
+/// none.
 #[cold]
 #[allow(unsafe_code)]
 fn advise_large(block: *mut u8, size: usize) {
@@ -72,7 +72,7 @@ fn advise_large(block: *mut u8, size: usize) {
 mod tests {
     use super::*;
 
-    /// The flags of the mapping that holds `address`, where the kernel tells.
+    /// Returns the flags of the mapping that holds `address`, if the kernel lists them.
     fn flags_at(address: usize) -> Option<String> {
         let maps = std::fs::read_to_string("/proc/self/smaps").ok()?;
         let mut inside = false;
@@ -106,7 +106,7 @@ mod tests {
         assert!(grown.iter().copied().eq((0..=u8::MAX).cycle().take(1000)));
         grown.resize(16 * LARGE, 7);
         if !std::path::Path::new("/sys/kernel/mm/transparent_hugepage").exists() {
-            eprintln!("skipped: this kernel has no huge pages for who asks");
+            eprintln!("skipped: this kernel has no huge pages on request");
             return;
         }
         for block in [&zeroed, &grown] {

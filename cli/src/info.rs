@@ -1,12 +1,13 @@
 //! `triquad info`.
 
+use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use serde::Serialize;
-use triquad::Mesh;
-use triquad::{Survey, Triangulation, Violation};
+use triquad::{Law, Mesh, Survey, Triangulation, Violation};
 
 use crate::failure::Failure;
+use crate::formats::reads;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 
@@ -16,14 +17,14 @@ use crate::{input, stdio};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad info bunny.obj\n  triquad info scan.stl --json")]
 pub struct Arguments {
-    /// The mesh: .obj .ply .off .stl, each also with .gz; '-' reads OBJ from standard input
-    #[arg(value_name = "IN")]
+    #[arg(value_name = "IN", help = reads("The mesh"))]
     input: PathBuf,
     /// Print JSON
     #[arg(long)]
     json: bool,
 }
 
+/// Everything that is printed of a mesh.
 #[derive(Serialize)]
 struct Info {
     schema: &'static str,
@@ -42,9 +43,10 @@ struct Info {
     violations: Vec<Broken>,
 }
 
+/// A broken law with its remedy.
 #[derive(Serialize)]
 struct Broken {
-    law: &'static str,
+    law: Law,
     element: String,
     count: usize,
     remedy: &'static str,
@@ -52,116 +54,111 @@ struct Broken {
     message: String,
 }
 
-/// Reads the mesh and prints what it is.
+/// Reads the mesh and prints its counts and the laws that it breaks.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let status = StatusLine::new("reading the mesh");
-    let list = input::read(&arguments.input)?;
+    let mesh = input::read(&arguments.input)?;
     status.say("examining the mesh");
-    let mut info = examine(&list);
+    let info = Info::new(arguments.input.display().to_string(), &mesh);
     drop(status);
-    info.input = arguments.input.display().to_string();
-    if arguments.json {
-        let json =
-            serde_json::to_string_pretty(&info).map_err(|error| Failure::bad(error.to_string()))?;
-        stdio::say(&json)?;
+    let text = if arguments.json {
+        serde_json::to_string_pretty(&info).map_err(|error| Failure::bad(error.to_string()))?
     } else {
-        stdio::say(&describe(&info))?;
-    }
-    match info.violations.len() {
-        0 => Ok(()),
-        1 => Err(Failure::bad(format!(
-            "{}: breaks a law, it cannot be converted as it is",
-            info.input
-        ))),
-        laws => Err(Failure::bad(format!(
-            "{}: breaks {laws} laws, it cannot be converted as it is",
-            info.input
-        ))),
-    }
-}
-
-fn examine(list: &Mesh) -> Info {
-    match Triangulation::build(list) {
-        Ok(triangulation) => of_triangulation(&triangulation),
-        Err(survey) => of_survey(&survey),
-    }
+        describe(&info)
+    };
+    stdio::say(&text)?;
+    let laws = match info.violations.len() {
+        0 => return Ok(()),
+        1 => "a law".into(),
+        laws => format!("{laws} laws"),
+    };
+    let input = &info.input;
+    Err(Failure::bad(format!("{input}: breaks {laws}, it cannot be converted as it is")))
 }
 
 const SCHEMA: &str = "triquad-info-1";
 
-fn of_triangulation(triangulation: &Triangulation) -> Info {
-    Info {
-        schema: SCHEMA,
-        input: String::new(),
-        vertices: triangulation.vertex_count(),
-        unreferenced_vertices: triangulation.unreferenced_vertex_count(),
-        edges: triangulation.edge_count(),
-        faces: triangulation.triangle_count(),
-        triangles: triangulation.triangle_count(),
-        euler_characteristic: triangulation.euler_characteristic(),
-        genus: Some(triangulation.genus()),
-        components: triangulation.component_count(),
-        boundary_loops: 0,
-        orientable: true,
-        closed: true,
-        violations: Vec::new(),
+impl Info {
+    fn new(input: String, mesh: &Mesh) -> Self {
+        match Triangulation::build(mesh) {
+            Ok(triangulation) => Self::from_triangulation(input, &triangulation),
+            Err(survey) => Self::from_survey(input, &survey),
+        }
+    }
+
+    fn from_triangulation(input: String, triangulation: &Triangulation) -> Self {
+        Self {
+            schema: SCHEMA,
+            input,
+            vertices: triangulation.vertex_count(),
+            unreferenced_vertices: triangulation.unreferenced_vertex_count(),
+            edges: triangulation.edge_count(),
+            faces: triangulation.triangle_count(),
+            triangles: triangulation.triangle_count(),
+            euler_characteristic: triangulation.euler_characteristic(),
+            genus: Some(triangulation.genus()),
+            components: triangulation.component_count(),
+            boundary_loops: 0,
+            orientable: true,
+            closed: true,
+            violations: Vec::new(),
+        }
+    }
+
+    fn from_survey(input: String, survey: &Survey) -> Self {
+        Self {
+            schema: SCHEMA,
+            input,
+            vertices: survey.vertices,
+            unreferenced_vertices: survey.unreferenced_vertices,
+            edges: survey.edges,
+            faces: survey.faces,
+            triangles: survey.triangles,
+            euler_characteristic: survey.euler_characteristic,
+            genus: survey.genus(),
+            components: survey.components,
+            boundary_loops: survey.boundary_loops,
+            orientable: survey.orientable,
+            closed: survey.closed,
+            violations: survey.violations.iter().map(Broken::from).collect(),
+        }
     }
 }
 
-fn of_survey(survey: &Survey) -> Info {
-    let broken = |violation: &Violation| Broken {
-        law: violation.law.name(),
-        element: violation.element.to_string(),
-        count: violation.count,
-        remedy: violation.law.remedy(),
-        message: violation.to_string(),
-    };
-    Info {
-        schema: SCHEMA,
-        input: String::new(),
-        vertices: survey.vertices,
-        unreferenced_vertices: survey.unreferenced_vertices,
-        edges: survey.edges,
-        faces: survey.faces,
-        triangles: survey.triangles,
-        euler_characteristic: survey.euler_characteristic,
-        genus: survey.genus(),
-        components: survey.components,
-        boundary_loops: survey.boundary_loops,
-        orientable: survey.orientable,
-        closed: survey.closed,
-        violations: survey.violations.iter().map(broken).collect(),
+impl From<&Violation> for Broken {
+    fn from(violation: &Violation) -> Self {
+        Self {
+            law: violation.law,
+            element: violation.element.to_string(),
+            count: violation.count,
+            remedy: violation.law.remedy(),
+            message: violation.to_string(),
+        }
     }
 }
 
+/// Writes a line a count, then two lines a broken law.
 fn describe(info: &Info) -> String {
-    let genus = info
-        .genus
-        .map_or("none (not a closed, two-sided surface)".into(), |genus| genus.to_string());
-    let yes_no = |yes| if yes { "yes" } else { "no" };
-    let mut text = format!(
-        "{}\n  vertices               {}\n  unreferenced vertices  {}\n  edges                  {}\n  \
-         faces                  {} ({} triangles)\n  Euler characteristic   {}\n  genus                  {}\n  \
-         components             {}\n  boundary loops         {}\n  orientable             {}\n  \
-         closed                 {}",
-        info.input,
-        info.vertices,
-        info.unreferenced_vertices,
-        info.edges,
-        info.faces,
-        info.triangles,
-        info.euler_characteristic,
-        genus,
-        info.components,
-        info.boundary_loops,
-        yes_no(info.orientable),
-        yes_no(info.closed),
-    );
-    for broken in &info.violations {
-        text += &format!(
-            "\n  broken: {} [{}]\n          {}",
-            broken.message, broken.law, broken.remedy
-        );
+    let genus = info.genus.map(|genus| genus.to_string());
+    let yes_no = |yes| String::from(if yes { "yes" } else { "no" });
+    let rows = [
+        ("vertices", info.vertices.to_string()),
+        ("unreferenced vertices", info.unreferenced_vertices.to_string()),
+        ("edges", info.edges.to_string()),
+        ("faces", format!("{} ({} triangles)", info.faces, info.triangles)),
+        ("Euler characteristic", info.euler_characteristic.to_string()),
+        ("genus", genus.unwrap_or("none (not a closed, two-sided surface)".into())),
+        ("components", info.components.to_string()),
+        ("boundary loops", info.boundary_loops.to_string()),
+        ("orientable", yes_no(info.orientable)),
+        ("closed", yes_no(info.closed)),
+    ];
+    let mut text = info.input.clone();
+    for (name, value) in rows {
+        let _ = write!(text, "\n  {name:<21}  {value}");
+    }
+    for Broken { law, remedy, message, .. } in &info.violations {
+        let _ = write!(text, "\n  broken: {message} [{law}]\n          {remedy}");
     }
     text
 }

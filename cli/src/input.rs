@@ -1,4 +1,4 @@
-//! Reading an input mesh, and saying what is wrong with it.
+//! Reads input meshes; words what is wrong with them.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use triquad::{Element, Mesh, Survey, Triangulation};
 use crate::failure::Failure;
 use crate::stdio;
 
-/// What may be done to a mesh to make it a triangulation.
+/// Options that turn a mesh into a triangulation.
 #[derive(clap::Args, Clone, Copy)]
 pub struct Repairs {
     /// Flip faces until neighbours agree on orientation
@@ -24,7 +24,7 @@ pub fn read(path: &Path) -> Result<Mesh, Failure> {
     Mesh::read(path).map_err(|error| mesh_failure(path, &error))
 }
 
-/// Tells on standard error what the file held and is not carried over.
+/// Prints on standard error the content of the file that is not carried over.
 pub fn tell_left_out(path: &Path, left_out: &[String]) {
     if !left_out.is_empty() {
         let what = left_out.join(", ");
@@ -32,36 +32,37 @@ pub fn tell_left_out(path: &Path, left_out: &[String]) {
     }
 }
 
-/// What a result that consists of positions and triangles alone does not carry over from `list`.
-pub fn left_out_of_triangles(list: &Mesh) -> Vec<String> {
-    let attributes = list.attributes().filter(|attributes| !attributes.is_empty());
+/// Returns the content of `mesh` that a result of positions and triangles alone leaves out.
+pub fn left_out_of_triangles(mesh: &Mesh) -> Vec<String> {
+    let attributes = mesh.attributes().filter(|attributes| !attributes.is_empty());
     let attributes =
         attributes.map(|_| "texture coordinates, normals, groups and materials".to_owned());
-    list.left_out().iter().cloned().chain(attributes).collect()
+    mesh.left_out().iter().cloned().chain(attributes).collect()
 }
 
-/// Reads a mesh and makes sure that it is a triangulation of closed surfaces.
+/// Reads a mesh and builds its triangulation.
 pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<(Mesh, Triangulation), Failure> {
-    let mut list = read(path)?;
-    let triangulation = build(path, &mut list, repairs)?;
-    Ok((list, triangulation))
+    let mut mesh = read(path)?;
+    let triangulation = build(path, &mut mesh, repairs)?;
+    Ok((mesh, triangulation))
 }
 
-/// Makes sure that a mesh read from `path` is a triangulation of closed surfaces.
-pub fn build(path: &Path, list: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Failure> {
+/// Builds the triangulation of a mesh read from `path`, after its repairs.
+pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Failure> {
     if repairs.triangulate {
-        list.triangulate();
+        mesh.triangulate();
     }
-    let triangulation = Triangulation::build_oriented(list, repairs.orient);
+    let triangulation = Triangulation::build_oriented(mesh, repairs.orient);
     triangulation.map_err(|survey| refusal(path, &survey))
 }
 
-/// A file that could not be read or written.
+/// Makes the failure of a file that could not be read or written.
 pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
     Failure::bad(format!("{}: {error}; {}", path.display(), error.remedy()))
 }
 
-/// A mesh that is no triangulation: its first broken law, and how many others there are.
+/// Makes the failure of a mesh that is no triangulation: its first broken law, and the number of
+/// others.
 pub fn refusal(path: &Path, survey: &Survey) -> Failure {
     let first = survey.violations[0];
     let others = match survey.violations.len() - 1 {
@@ -69,7 +70,7 @@ pub fn refusal(path: &Path, survey: &Survey) -> Failure {
         1 => " (and 1 other law is broken, see 'triquad info')".into(),
         more => format!(" (and {more} other laws are broken, see 'triquad info')"),
     };
-    // In an OBJ file numbers count from 1 anyway.
+    // Readers of OBJ files expect numbers that count from 1.
     let from_one = match (Format::from_path(path), first.element) {
         (Ok(Format::Obj), _) | (_, Element::Mesh) => "",
         _ => ", counted from 1",

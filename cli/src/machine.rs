@@ -1,6 +1,6 @@
-//! What the operating system knows of this process.
+//! Facts of this process from the operating system.
 
-/// The most memory this process has had at once, where the system tells (Linux: VmHWM).
+/// Returns the largest resident memory of this process so far, on Linux (VmHWM).
 pub fn peak_memory_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

@@ -1,15 +1,17 @@
-//! The command-line tool: parses arguments, calls the library, prints.
+//! The command-line tool: parses arguments, calls the library and the laboratory, prints.
 //!
-//! The verbs of the command line, one file each.
+//! Each verb is a file: `convert`, `irreducible`, `check`, `info`, `generate`, `simplify`, `plan`,
+//! `run`, `merge`, `report`, `compare`. The other files are shared by several verbs.
 //!
-//! Exit codes: 0 done; 1 a check said no; 2 bad input or usage, with one line on standard error that
-//! names the file, the place, the law and the remedy.
+//! Exit codes: 0 done; 1 a check failed; 2 bad input or usage. A failure is one line on standard
+//! error with the file, the place, the law and the remedy.
 
 mod check;
 mod compare;
 mod convert;
 mod experiments;
 mod failure;
+mod formats;
 mod generate;
 #[cfg(target_os = "linux")]
 mod huge_pages;
@@ -21,6 +23,7 @@ mod merge;
 mod names;
 mod plan;
 mod progress;
+mod reduction;
 mod report;
 mod run;
 mod simplify;
@@ -31,6 +34,7 @@ use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
+use formats::FORMATS;
 
 #[cfg(target_os = "linux")]
 #[global_allocator]
@@ -42,12 +46,11 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 /// of each pair: every vertex stays where it is, every other edge stays, and every face is a quad.
 /// That always works on a closed surface (Petersen's theorem).
 #[derive(Parser)]
-#[command(
-    version,
-    after_help = "Formats: .obj .ply .off .stl (read only), each also with .gz; '-' is OBJ on standard \
-                  input or output.\nExit codes: 0 done, 1 a check said no, 2 bad input or usage.\n\n\
-                  Example: triquad convert bunny.obj -o bunny-quads.obj"
-)]
+#[command(version, after_help = format!(
+    "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is OBJ on standard input or \
+     output.\nExit codes: 0 done, 1 a check said no, 2 bad input or usage.\n\n\
+     Example: triquad convert bunny.obj -o bunny-quads.obj"
+))]
 struct Arguments {
     #[command(subcommand)]
     verb: Verb,
@@ -68,20 +71,18 @@ enum Verb {
     Compare(compare::Arguments),
 }
 
-/// A run of an experiment ends with the process that started it, even if that is killed.
+/// Ends a run of an experiment with the process that started it, even if that is killed.
 fn end_with_parent() {
     #[cfg(target_os = "linux")]
     if std::env::var_os(triquad_lab::experiment::process::RUN_VARIABLE).is_some() {
         use rustix::process::{Signal, set_parent_process_death_signal};
-        // Without it a run of a killed experiment ends when it is done.
+        // If this fails, a run of a killed experiment goes on until it is done.
         let _ = set_parent_process_death_signal(Some(Signal::KILL));
     }
 }
 
-/// Runs the verb that the arguments name.
-fn main() -> ExitCode {
-    end_with_parent();
-    // An interrupted process leaves no half-written file; what is finished stays.
+/// Removes half-written files on an interrupt; finished files stay.
+fn clean_up_when_interrupted() {
     let handler = || {
         triquad::atomic_file::abandon_all();
         std::process::exit(triquad_lab::experiment::process::INTERRUPTED);
@@ -89,11 +90,27 @@ fn main() -> ExitCode {
     if let Err(error) = ctrlc::set_handler(handler) {
         stdio::complain(&format!("interrupts will not be cleaned up after: {error}"));
     }
-    let arguments = match Arguments::try_parse() {
-        Ok(arguments) => arguments,
+}
+
+/// Runs the verb that the arguments name.
+fn main() -> ExitCode {
+    end_with_parent();
+    clean_up_when_interrupted();
+    let result = match Arguments::try_parse() {
+        Ok(arguments) => run(arguments.verb),
         Err(error) => return explain_usage(&error),
     };
-    let result = match arguments.verb {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            stdio::complain(&failure.message);
+            ExitCode::from(failure.code)
+        }
+    }
+}
+
+fn run(verb: Verb) -> Result<(), failure::Failure> {
+    match verb {
         Verb::Convert(arguments) => convert::run(&arguments),
         Verb::Irreducible(arguments) => irreducible::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
@@ -105,20 +122,13 @@ fn main() -> ExitCode {
         Verb::Merge(arguments) => merge::run(&arguments),
         Verb::Report(arguments) => report::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
-    };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            stdio::complain(&failure.message);
-            ExitCode::from(failure.code)
-        }
     }
 }
 
-/// Prints help as it is, and what is wrong with the arguments in one line.
+/// Prints help as it is, and an error in the arguments as one line.
 fn explain_usage(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() {
-        // Nobody left to read the help is no failure.
+        // A closed pipe is no failure.
         let _ = error.print();
         return ExitCode::SUCCESS;
     }

@@ -1,8 +1,8 @@
-//! Names of algorithms and the like as values of options.
+//! Algorithms and the like as values of options.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-/// Understands the names of `all` that there are.
+/// Returns a parser of the names of `all`, which help and errors list.
 pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     all: [T; N],
     name: fn(T) -> &'static str,

@@ -17,15 +17,13 @@ pub struct Arguments {
     selection: Selection,
 }
 
-/// Prints the matrix.
+/// Prints the meshes, their runs and an estimate.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let plan = arguments.selection.plan()?;
-    for remark in &plan.remarks {
-        stdio::complain(remark);
-    }
     stdio::say(&matrix(&plan))
 }
 
+/// Writes a line a mesh, under the names of experiment and group.
 fn matrix(plan: &Plan) -> String {
     let mut text = String::new();
     let mut heading = String::new();
@@ -55,6 +53,7 @@ fn matrix(plan: &Plan) -> String {
     text
 }
 
+/// Returns the blocks of the same mesh, experiment and group.
 fn same_mesh<'a>(plan: &'a Plan, block: &'a Block) -> impl Iterator<Item = &'a Block> {
     plan.blocks.iter().filter(move |other| other.id == block.id)
 }

@@ -1,4 +1,4 @@
-//! What is going on, on standard error when that is a terminal.
+//! Progress on standard error when that is a terminal.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -6,12 +6,12 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::{Progress, Stage};
 
-/// One line that says what is being done and, while paths are searched, how many are found.
+/// One line with the current step and, during augmentation, the number of paths found.
 ///
 /// Hidden where standard error is no terminal; cleared when dropped.
 pub struct StatusLine {
     bar: ProgressBar,
-    /// Augmenting paths after which to stop.
+    /// Augmenting paths until the conversion is stopped.
     paths_left: usize,
 }
 
@@ -24,7 +24,7 @@ impl StatusLine {
         Self { bar, paths_left: usize::MAX }
     }
 
-    /// Stops a conversion after so many augmenting paths.
+    /// Stops a conversion after `paths` augmenting paths.
     pub fn stop_after(&mut self, paths: usize) {
         self.paths_left = paths;
     }

@@ -2,7 +2,7 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -36,23 +36,16 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", default_value = "results/local")]
     out: PathBuf,
     /// Runs at the same time. Above 1 they slow each other down: times are then not compared
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 1,
-        value_parser = clap::value_parser!(u32).range(1..=256)
-    )]
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=256))]
     jobs: u32,
     #[command(flatten)]
     cache: generate::CacheOption,
 }
 
-/// Runs what is left to run.
+/// Does the runs that have no row yet, and draws the pictures.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let plan = arguments.selection.plan()?;
-    for remark in &plan.remarks {
-        stdio::complain(remark);
-    }
     let out = &arguments.out;
     let failure = |error: io::Error| folder_failure(out, &error);
     let mut journal = Journal::open(out).map_err(failure)?;
@@ -101,7 +94,7 @@ fn folder_failure(folder: &Path, error: &io::Error) -> Failure {
     ))
 }
 
-/// Shows progress: a bar on a terminal, a line a block elsewhere.
+/// Shows progress (a bar on a terminal, a line a mesh elsewhere) and keeps the report up to date.
 struct RunView<'a> {
     out: &'a Path,
     bar: ProgressBar,
@@ -109,28 +102,32 @@ struct RunView<'a> {
     written: Mutex<Written>,
 }
 
-/// When tables and page were last written.
+/// Times of the last writing of tables and page.
 struct Written {
     tables: Instant,
     page: Instant,
 }
 
-/// Time between two writings of the tables, at least.
+/// Least time between two writings of the tables.
 const TABLES_EVERY: Duration = Duration::from_secs(5);
-/// Time between two writings of the page, at least: its plots take a moment to draw.
+/// Least time between two writings of the page, whose plots take a moment to draw.
 const PAGE_EVERY: Duration = Duration::from_secs(60);
 
-/// Estimates beside what runs took.
+/// Estimated seconds beside measured ones.
 #[derive(Default)]
 struct Pace {
+    /// Estimate of the runs that are left.
     left: f64,
+    /// Estimate of the runs that are done.
     estimated: f64,
+    /// Seconds that they took.
     taken: f64,
+    /// Runs that did not end well.
     bad: usize,
 }
 
 impl Pace {
-    /// Returns the seconds that are left, corrected by what finished runs took.
+    /// Returns the seconds that are left, corrected by the times of finished runs.
     fn seconds_left(&self) -> f64 {
         let factor = if self.estimated > 1.0 { self.taken / self.estimated } else { 1.0 };
         (self.left * factor).max(0.0)
@@ -144,6 +141,7 @@ impl<'a> RunView<'a> {
         Self { out, bar: ProgressBar::no_length(), pace: Mutex::default(), written }
     }
 
+    /// Prints a line on standard error, above the bar if there is one.
     fn say(&self, line: &str) {
         if self.bar.is_hidden() {
             stdio::complain(line);
@@ -152,10 +150,11 @@ impl<'a> RunView<'a> {
         }
     }
 
-    fn pace(&self) -> std::sync::MutexGuard<'_, Pace> {
+    fn pace(&self) -> MutexGuard<'_, Pace> {
         self.pace.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Writes the report and prints where it is.
     fn finish(self, journal: &Journal) -> Result<(), Failure> {
         self.bar.finish_and_clear();
         let report = report::write(self.out, journal.results())?;
@@ -199,10 +198,10 @@ impl RunObserver for RunView<'_> {
             pace.estimated += estimate;
             pace.taken += record.process_seconds;
         }
+        pace.bad += usize::from(!record.is_ok());
         drop(pace);
         self.bar.inc(1);
         if !record.is_ok() {
-            self.pace().bad += 1;
             let RunRecord { id, reason, outcome, .. } = record;
             let (mesh, algorithm) = (&id.mesh.name, id.job.algorithm());
             self.say(&format!("{mesh}, {algorithm}: {outcome:?}: {reason}"));

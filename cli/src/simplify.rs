@@ -1,61 +1,45 @@
 //! `triquad simplify`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
-use triquad::Mesh;
-use triquad::Triangulation;
 use triquad::clock::{Clock, SystemClock};
 use triquad::simplify::{Shape, Simplifier, SimplifyError};
+use triquad::{Mesh, Triangulation};
 
 use crate::failure::Failure;
-use crate::input::{self, Repairs};
+use crate::formats::{may_write, reads};
 use crate::machine;
-use crate::progress::StatusLine;
-use crate::targets::{Paths, Targets};
+use crate::reduction::{Opened, Options, Sizes};
 
 /// Simplify a closed triangle mesh to an exact number of vertices
 ///
 /// Edges are contracted in order of quadric error, only where that keeps the topology: genus and
-/// components stay what they are, and the result is a triangulation again. Vertices that no triangle
-/// uses are dropped; so are texture coordinates, normals, groups and materials.
+/// components stay what they are, and the result is a triangulation again. Vertices that no
+/// triangle uses are dropped; so are texture coordinates, normals, groups and materials.
 #[derive(clap::Args)]
-#[command(
-    after_help = "Examples:\n  triquad simplify scan.ply.gz --vertices 10000 -o small.obj\n  \
-                        triquad simplify box.obj --vertices 172354 -o a5.obj --stats -"
-)]
+#[command(after_help = "Examples:\n  \
+    triquad simplify scan.ply.gz --vertices 10000 -o small.obj\n  \
+    triquad simplify box.obj --vertices 172354 -o a5.obj --stats -")]
 pub struct Arguments {
-    /// The triangle mesh: .obj .ply .off .stl, each also with .gz; '-' reads OBJ from standard input
-    #[arg(value_name = "IN")]
+    #[arg(value_name = "IN", help = reads("The triangle mesh"))]
     input: PathBuf,
     /// How many vertices are to be left
     #[arg(long, value_name = "V")]
     vertices: usize,
-    /// Where the triangles go: .obj .ply .off, each also with .gz; '-' writes OBJ to standard output.
-    /// May be IN itself. Without it nothing is written but the summary
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", help = may_write("Where the triangles go"))]
     output: Option<PathBuf>,
-    /// Write counts and times as JSON to FILE, '-' for standard output
-    #[arg(long, value_name = "FILE")]
-    stats: Option<PathBuf>,
     #[command(flatten)]
-    repairs: Repairs,
+    options: Options,
 }
 
-/// The record of one simplification.
+/// The record of one simplification; angles in degrees, times in seconds.
 #[derive(Serialize)]
 struct Stats {
     schema: &'static str,
     input: String,
-    vertices: usize,
-    edges: usize,
-    triangles: usize,
-    genus: usize,
-    components: usize,
-    result_vertices: usize,
-    result_edges: usize,
-    result_triangles: usize,
-    contractions: usize,
+    #[serde(flatten)]
+    sizes: Sizes,
     largest_degree: u32,
     smallest_angle_degrees: f64,
     largest_angle_degrees: f64,
@@ -69,57 +53,47 @@ struct Stats {
 /// Reads, simplifies, writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let clock = SystemClock::default();
-    let status = StatusLine::new("reading the mesh");
-    let mut targets = Targets::open(Paths {
-        input: &arguments.input,
-        output: arguments.output.as_deref(),
-        triangles: None,
-        stats: arguments.stats.as_deref(),
-    })?;
-    let (list, read_seconds) = clock.time(|| input::read(&arguments.input));
-    let mut list = list?;
-    status.say("building the triangulation");
-    let (built, build_seconds) =
-        clock.time(|| input::build(&arguments.input, &mut list, arguments.repairs));
-    let triangulation = built?;
-    let mut stats = Stats::of_input(arguments, &triangulation);
-    let left_out = input::left_out_of_triangles(&list);
-    status.say("contracting edges");
-    let (simplified, seconds) = clock.time(|| simplified(triangulation, list, arguments.vertices));
-    let (list, triangulation) = simplified.map_err(|error| failure(arguments, &error))?;
-    stats.describe(&list, &triangulation);
-    status.say("writing the triangles");
-    let (written, write_seconds) = clock.time(|| targets.write_mesh(&list));
+    let Arguments { input, vertices, output, options } = arguments;
+    let mut opened = Opened::open(input, output.as_deref(), options, &clock)?;
+    opened.status.say("contracting edges");
+    let (simplified, seconds) =
+        clock.time(|| simplified(opened.triangulation, opened.mesh, *vertices));
+    let (mesh, triangulation) = simplified.map_err(|error| failure(input, &error))?;
+    opened.status.say("writing the triangles");
+    let (written, write_seconds) = clock.time(|| opened.targets.write_mesh(&mesh));
     written?;
-    drop(status);
-    stats = Stats {
-        read_seconds,
-        build_seconds,
+    drop(opened.status);
+    let shape = Shape::new(&mesh);
+    let stats = Stats {
+        schema: "triquad-simplify-1",
+        input: input.display().to_string(),
+        sizes: Sizes::new(opened.size, &triangulation),
+        largest_degree: shape.largest_degree,
+        smallest_angle_degrees: shape.smallest_angle(),
+        largest_angle_degrees: shape.largest_angle(),
+        read_seconds: opened.read_seconds,
+        build_seconds: opened.build_seconds,
         seconds,
         write_seconds,
         peak_memory_bytes: machine::peak_memory_bytes(),
-        ..stats
     };
-    targets.write_stats(&stats)?;
-    // Not before success: a failure is told in one line.
-    input::tell_left_out(&arguments.input, &left_out);
-    targets.report(&summary_line(arguments, &stats))
+    opened.targets.finish(&stats, &opened.left_out, &summary(&stats))
 }
 
-/// The faces are not needed any more, the positions only to begin with.
+/// Simplifies to `vertices` vertices. Drops `mesh` early: only its positions are needed, at first.
 fn simplified(
     triangulation: Triangulation,
-    list: Mesh,
+    mesh: Mesh,
     vertices: usize,
 ) -> Result<(Mesh, Triangulation), SimplifyError> {
-    let mut simplifier = Simplifier::new(triangulation, list.positions());
-    drop(list);
+    let mut simplifier = Simplifier::new(triangulation, mesh.positions());
+    drop(mesh);
     simplifier.reduce_to(vertices)?;
     Ok(simplifier.result())
 }
 
-fn failure(arguments: &Arguments, error: &SimplifyError) -> Failure {
-    let input = arguments.input.display();
+fn failure(input: &Path, error: &SimplifyError) -> Failure {
+    let input = input.display();
     let remedy = match error {
         SimplifyError::TooMany { present, .. } => format!("ask for {present} or fewer"),
         SimplifyError::Irreducible { reached, .. } => format!("ask for {reached} or more"),
@@ -128,58 +102,13 @@ fn failure(arguments: &Arguments, error: &SimplifyError) -> Failure {
     Failure::bad(format!("{input}: {error}; {remedy}"))
 }
 
-impl Stats {
-    /// What is known before the work starts.
-    fn of_input(arguments: &Arguments, triangulation: &Triangulation) -> Self {
-        Self {
-            schema: "triquad-simplify-1",
-            input: arguments.input.display().to_string(),
-            vertices: triangulation.vertex_count(),
-            edges: triangulation.edge_count(),
-            triangles: triangulation.triangle_count(),
-            genus: triangulation.genus(),
-            components: triangulation.component_count(),
-            result_vertices: 0,
-            result_edges: 0,
-            result_triangles: 0,
-            contractions: 0,
-            largest_degree: 0,
-            smallest_angle_degrees: 0.0,
-            largest_angle_degrees: 0.0,
-            read_seconds: 0.0,
-            build_seconds: 0.0,
-            seconds: 0.0,
-            write_seconds: 0.0,
-            peak_memory_bytes: None,
-        }
-    }
-
-    /// What the result is like.
-    fn describe(&mut self, list: &Mesh, triangulation: &Triangulation) {
-        let shape = Shape::new(list);
-        self.result_vertices = triangulation.vertex_count();
-        self.result_edges = triangulation.edge_count();
-        self.result_triangles = triangulation.triangle_count();
-        self.contractions = self.vertices - self.result_vertices;
-        self.largest_degree = shape.largest_degree;
-        self.smallest_angle_degrees = shape.smallest_angle();
-        self.largest_angle_degrees = shape.largest_angle();
-    }
-}
-
-fn summary_line(arguments: &Arguments, stats: &Stats) -> String {
-    let target = match &arguments.output {
-        Some(path) if path.as_os_str() != "-" => format!(" -> {}", path.display()),
-        _ => String::new(),
-    };
+fn summary(stats: &Stats) -> String {
+    let Sizes { input, result_vertices, result_triangles, .. } = stats.sizes;
     format!(
-        "{}{target}: {} -> {} vertices, {} triangles (genus {}), largest degree {}, angles from \
-         {:.1} to {:.1} degrees; simplified in {:.3} s",
-        stats.input,
-        stats.vertices,
-        stats.result_vertices,
-        stats.result_triangles,
-        stats.genus,
+        "{} -> {result_vertices} vertices, {result_triangles} triangles (genus {}), largest degree \
+         {}, angles from {:.1} to {:.1} degrees; simplified in {:.3} s",
+        input.vertices,
+        input.genus,
         stats.largest_degree,
         stats.smallest_angle_degrees,
         stats.largest_angle_degrees,

@@ -1,10 +1,10 @@
-//! Printing that does not panic when nobody listens any more.
+//! Printing that does not panic on a closed pipe.
 
 use std::io::{self, ErrorKind, Write};
 
 use crate::failure::Failure;
 
-/// Prints a line on standard output. A reader that has gone away is no failure.
+/// Prints a line on standard output. A closed pipe is no failure.
 pub fn say(line: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match writeln!(out, "{line}").and_then(|()| out.flush()) {
@@ -15,7 +15,7 @@ pub fn say(line: &str) -> Result<(), Failure> {
     }
 }
 
-/// Prints a line on standard error. Control characters, as file names may hold them, are replaced.
+/// Prints a line on standard error. Replaces control characters, which file names may hold.
 pub fn complain(line: &str) {
     let line: String = line.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     let _ = writeln!(io::stderr().lock(), "triquad: {line}");

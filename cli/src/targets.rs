@@ -10,7 +10,7 @@ use triquad::mesh::{Mesh, Output};
 use crate::failure::Failure;
 use crate::{input, stdio};
 
-/// What is read and what is written; `-` is standard input or output.
+/// Names of the files to read and to write; `-` is standard input or output.
 #[derive(Clone, Copy)]
 pub struct Paths<'a> {
     pub input: &'a Path,
@@ -29,7 +29,7 @@ pub struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// Makes sure that the files can be written and are not each other.
+    /// Opens the files. Refuses names that mean the same file.
     pub fn open(paths: Paths<'a>) -> Result<Self, Failure> {
         refuse_shared_files(paths)?;
         let open_mesh =
@@ -68,7 +68,23 @@ impl<'a> Targets<'a> {
         }
     }
 
-    /// Says the summary where it does not mix with what was asked for on standard output.
+    /// Writes the statistics, then prints what was not carried over and the summary. In this order
+    /// a failure stays a single line.
+    pub fn finish(
+        mut self,
+        stats: &impl Serialize,
+        left_out: &[String],
+        summary: &str,
+    ) -> Result<(), Failure> {
+        let Paths { input, output, .. } = self.paths;
+        self.write_stats(stats)?;
+        input::tell_left_out(input, left_out);
+        let target = output.filter(|&path| !is_stdio(path));
+        let target = target.map(|path| format!(" -> {}", path.display())).unwrap_or_default();
+        self.report(&format!("{}{target}: {summary}", input.display()))
+    }
+
+    /// Prints the summary on standard error if standard output takes a mesh or statistics.
     pub fn report(&self, line: &str) -> Result<(), Failure> {
         let Paths { output, triangles, stats, .. } = self.paths;
         if [output, triangles, stats].into_iter().flatten().any(is_stdio) {
@@ -85,10 +101,9 @@ fn write_to(output: Option<Output>, path: Option<&Path>, mesh: &Mesh) -> Result<
     output.write(mesh).map_err(|error| input::mesh_failure(path, &error))
 }
 
-/// What is written may not mix, and statistics may not replace the input.
+/// Refuses targets that would mix or overwrite each other, and statistics in place of the input.
 fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
-    let same = |a: &Path, b: &Path| identity(a).is_some_and(|one| Some(one) == identity(b));
-    let Paths { output, triangles, stats, .. } = paths;
+    let Paths { input, output, triangles, stats } = paths;
     let options = [("-o", output), ("--write-triangulation", triangles), ("--stats", stats)];
     let targets: Vec<_> =
         options.into_iter().filter_map(|(option, path)| Some((option, path?))).collect();
@@ -96,28 +111,26 @@ fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
         for &(other, path) in &targets[i + 1..] {
             if is_stdio(one) && is_stdio(path) {
                 return Err(Failure::bad(format!(
-                    "{option} - and {other} - would mix on standard output; send one of them to a file"
+                    "{option} - and {other} - would mix on standard output; send one of them to a \
+                     file"
                 )));
             }
-            if !is_stdio(path) && same(one, path) {
-                return Err(overwritten(other, path));
-            }
+            refuse_overwriting(one, other, path)?;
         }
     }
-    match paths.stats {
-        Some(stats) if !is_stdio(stats) && same(paths.input, stats) => {
-            Err(overwritten("--stats", stats))
-        }
-        _ => Ok(()),
-    }
+    stats.map_or(Ok(()), |stats| refuse_overwriting(input, "--stats", stats))
 }
 
-fn overwritten(option: &str, path: &Path) -> Failure {
+/// Refuses `path`, given to `option`, if it is the file `kept`.
+fn refuse_overwriting(kept: &Path, option: &str, path: &Path) -> Result<(), Failure> {
+    if is_stdio(path) || identity(path).is_none_or(|file| identity(kept) != Some(file)) {
+        return Ok(());
+    }
     let problem = "would overwrite the mesh of the same name; give it a file of its own";
-    Failure::bad(format!("{}: {option} {problem}", path.display()))
+    Err(Failure::bad(format!("{}: {option} {problem}", path.display())))
 }
 
-/// The file that `path` means, whichever way there it takes.
+/// Returns the canonical path of `path`, or of its folder if the file does not exist yet.
 fn identity(path: &Path) -> Option<PathBuf> {
     let through_folder = || {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
