@@ -149,7 +149,7 @@ impl Search<'_> {
         let forest = &mut self.forest;
         forest.prefetch_next(self.graph, matching, tree);
         let mut barred = false;
-        for (side, w) in self.graph.sides(v).into_iter().enumerate() {
+        for (side, w) in self.graph.sides_or_none(v).into_iter().enumerate() {
             if w == TriangleId::NONE || w == matching.mate_or_none(v) {
                 continue;
             }

@@ -6,15 +6,32 @@ use crate::triangulation::{Side, TriangleId, Triangulation};
 
 /// For each triangle its three neighbours, or none across a boundary. 12 bytes a triangle.
 ///
-/// Has neither orientation nor vertices. On a closed surface the graph is 3-regular and, as the
-/// triangulation is simple, bridgeless.
-#[derive(Clone, Debug, PartialEq)]
+/// The graph has neither orientation nor vertices of the mesh. That of a closed surface is
+/// 3-regular and, as the triangulation is simple, bridgeless.
+///
+/// ```
+/// use triquad::triangulation::TriangleId;
+/// use triquad::{DualGraph, Matching};
+///
+/// // A path of four nodes.
+/// let graph = DualGraph::from_edges(4, &[(0, 1), (1, 2), (2, 3)])?;
+/// let node = TriangleId::new;
+/// assert_eq!(graph.sides(node(1)), [Some(node(0)), Some(node(2)), None]);
+///
+/// let mut matching = Matching::empty(graph.len());
+/// matching.pair(node(0), node(1));
+/// matching.pair(node(2), node(3));
+/// let perfect = matching.certify(&graph).expect("both pairs are edges");
+/// assert_eq!(perfect.mate(node(3)), node(2));
+/// # Ok::<(), triquad::dual::DualGraphError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DualGraph {
     sides: Vec<[TriangleId; 3]>,
     has_boundary: bool,
 }
 
-/// Why a list of edges is no graph of maximum degree 3 without loops.
+/// A defect of a list of edges: it is no graph of maximum degree 3 without loops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DualGraphError {
@@ -82,16 +99,22 @@ impl DualGraph {
         (0..self.len()).map(TriangleId::new)
     }
 
-    /// Returns the triangles across the three sides of `f`; [`TriangleId::NONE`] across a boundary.
+    /// Returns the triangles across the three sides of `f`; `None` across a boundary.
     #[inline]
-    pub fn sides(&self, f: TriangleId) -> [TriangleId; 3] {
+    pub fn sides(&self, f: TriangleId) -> [Option<TriangleId>; 3] {
+        self.sides_or_none(f).map(TriangleId::some)
+    }
+
+    /// Returns the sides as [`DualGraph::sides`] does, with [`TriangleId::NONE`] across a boundary.
+    #[inline]
+    pub(crate) fn sides_or_none(&self, f: TriangleId) -> [TriangleId; 3] {
         self.sides[f.index()]
     }
 
     /// Iterates over the triangles that share an edge with `f`, in the order of its sides.
     #[inline]
     pub fn neighbours(&self, f: TriangleId) -> impl Iterator<Item = TriangleId> + use<> {
-        self.sides(f).into_iter().filter(|&g| g != TriangleId::NONE)
+        self.sides(f).into_iter().flatten()
     }
 
     /// Returns whether some triangle has a side without a neighbour.
@@ -108,6 +131,6 @@ impl DualGraph {
     /// Prefetches the sides of the neighbours of `f`.
     #[inline]
     pub(crate) fn prefetch_around(&self, f: TriangleId) {
-        self.sides(f).into_iter().for_each(|g| prefetch(&self.sides, g.index()));
+        self.sides_or_none(f).into_iter().for_each(|g| prefetch(&self.sides, g.index()));
     }
 }

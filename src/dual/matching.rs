@@ -1,6 +1,6 @@
 //! Matchings: which triangle is paired with which.
 
-use super::DualGraph;
+use super::graph::DualGraph;
 use crate::prefetch::prefetch;
 use crate::triangulation::{IdVec, TriangleId};
 
@@ -12,36 +12,36 @@ pub struct Matching {
 }
 
 impl Matching {
-    /// The matching of `triangles` triangles that pairs none.
+    /// Makes the matching of `triangles` triangles that pairs none. O(n).
     pub fn empty(triangles: usize) -> Self {
         Self { mate: IdVec::filled(TriangleId::NONE, triangles), unpaired: triangles }
     }
 
-    /// The matching in which each triangle has this mate, or [`TriangleId::NONE`]. O(n).
+    /// Makes the matching in which each triangle has this mate, or [`TriangleId::NONE`]. O(n).
     pub(crate) fn from_mates(mate: Vec<TriangleId>) -> Self {
         let unpaired = mate.iter().filter(|&&mate| mate == TriangleId::NONE).count();
         Self { mate: mate.into(), unpaired }
     }
 
-    /// The triangle that `f` is paired with.
+    /// Returns the triangle that `f` is paired with, or `None` if it is unpaired.
     #[inline]
     pub fn mate(&self, f: TriangleId) -> Option<TriangleId> {
         self.mate[f].some()
     }
 
-    /// Like [`Matching::mate`], with [`TriangleId::NONE`] for an unpaired triangle.
+    /// Returns the mate as [`Matching::mate`] does, with [`TriangleId::NONE`] for no mate.
     #[inline]
     pub(crate) fn mate_or_none(&self, f: TriangleId) -> TriangleId {
         self.mate[f]
     }
 
-    /// Has the cache fetch the mate of `f`.
+    /// Prefetches the mate of `f`.
     #[inline]
     pub(crate) fn prefetch(&self, f: TriangleId) {
         prefetch(self.mate.as_slice(), f.index());
     }
 
-    /// Whether `f` is paired.
+    /// Returns whether `f` is paired.
     #[inline]
     pub fn is_paired(&self, f: TriangleId) -> bool {
         self.mate[f] != TriangleId::NONE
@@ -57,7 +57,7 @@ impl Matching {
         self.pair_unpaired(f, g);
     }
 
-    /// Like [`Matching::pair`] where the caller knows that both are unpaired: nothing is read.
+    /// Pairs two triangles of which the caller has seen that they are unpaired. Reads nothing.
     #[inline]
     pub(crate) fn pair_unpaired(&mut self, f: TriangleId, g: TriangleId) {
         debug_assert!(f != g && !self.is_paired(f) && !self.is_paired(g));
@@ -66,28 +66,29 @@ impl Matching {
         self.unpaired -= 2;
     }
 
-    /// Number of triangles (paired or not).
+    /// Returns the number of triangles, paired or not.
     pub fn len(&self) -> usize {
         self.mate.len()
     }
 
-    /// Whether there is no triangle at all.
+    /// Returns whether there is no triangle.
     pub fn is_empty(&self) -> bool {
         self.mate.is_empty()
     }
 
-    /// Number k of unpaired triangles.
+    /// Returns the number k of unpaired triangles.
     pub fn unpaired_count(&self) -> usize {
         self.unpaired
     }
 
-    /// The unpaired triangles in order.
+    /// Iterates over the unpaired triangles in order. O(n) for all of them.
     pub fn unpaired(&self) -> impl Iterator<Item = TriangleId> {
         self.mate.ids().filter(|&f| !self.is_paired(f))
     }
 
-    /// Makes every pair of an augmenting path's new edges: each triangle of the path gets a new
-    /// mate, and its two unpaired ends are paired from now on.
+    /// Pairs the ends of every new edge of an augmenting path.
+    ///
+    /// Each triangle of the path gets a new mate; the two ends of the path were unpaired before.
     pub(crate) fn replace_along(&mut self, new_pairs: &[(TriangleId, TriangleId)]) {
         for &(f, g) in new_pairs {
             self.mate[f] = g;
@@ -96,11 +97,11 @@ impl Matching {
         self.unpaired -= 2;
     }
 
-    /// Whether mates are mutual and neighbours in `graph`, and the count of the unpaired is right.
-    /// O(n).
+    /// Returns whether mates are mutual and neighbours in `graph`, and the count of the unpaired is
+    /// right. O(n).
     pub fn is_matching_of(&self, graph: &DualGraph) -> bool {
         let legal = |f: TriangleId| match self.mate(f) {
-            Some(g) => self.mate[g] == f && graph.sides(f).contains(&g),
+            Some(g) => self.mate[g] == f && graph.sides_or_none(f).contains(&g),
             None => true,
         };
         self.len() == graph.len()
@@ -108,7 +109,7 @@ impl Matching {
             && self.unpaired().count() == self.unpaired
     }
 
-    /// The proof that every triangle is paired with one across an edge of `graph`. O(n).
+    /// Proves that every triangle is paired with one across an edge of `graph`. O(n).
     ///
     /// # Errors
     /// The matching itself, if a triangle is unpaired or the matching is not one of `graph`.
@@ -128,18 +129,18 @@ pub struct PerfectMatching {
 }
 
 impl PerfectMatching {
-    /// The triangle that `f` is paired with.
+    /// Returns the triangle that `f` is paired with.
     #[inline]
     pub fn mate(&self, f: TriangleId) -> TriangleId {
         self.mate[f]
     }
 
-    /// Number of pairs.
+    /// Returns the number of pairs.
     pub fn pair_count(&self) -> usize {
         self.mate.len() / 2
     }
 
-    /// The pairs, each with its lower triangle first, in order of those.
+    /// Iterates over the pairs in order of their lower triangles, which come first. O(n).
     pub fn pairs(&self) -> impl Iterator<Item = (TriangleId, TriangleId)> {
         self.mate.ids().map(|f| (f, self.mate[f])).filter(|(f, g)| f.index() < g.index())
     }

@@ -214,7 +214,7 @@ impl Forest {
     #[inline]
     pub(crate) fn prefetch_next(&self, graph: &DualGraph, matching: &Matching, tree: TreeId) {
         let Some(next) = self.trees[tree.0 as usize].queue.first() else { return };
-        for w in graph.sides(TriangleId(next)) {
+        for w in graph.sides_or_none(TriangleId(next)) {
             prefetch(&self.nodes, w.index());
             matching.prefetch(w);
         }
@@ -284,7 +284,7 @@ impl Forest {
             return;
         }
         let base = self.common_base(matching, x, y);
-        let back = graph.sides(y).into_iter().position(|z| z == x);
+        let back = graph.sides_or_none(y).into_iter().position(|z| z == x);
         let back = back.expect("neighbours are mutual");
         for (end, side) in [(x, side), (y, back)] {
             let bridge = (3 * end.index() + side) as u32;
@@ -375,7 +375,7 @@ impl Forest {
                 let node = &self.nodes[v.index()];
                 if node.label_and_mark & LABEL == BLOSSOMED {
                     let near = TriangleId(node.bridge / 3);
-                    let far = graph.sides(near)[node.bridge as usize % 3];
+                    let far = graph.sides_or_none(near)[node.bridge as usize % 3];
                     self.segments.push((near, mate));
                     self.path.push((near, far));
                     v = far;

@@ -30,7 +30,7 @@ pub(crate) fn augment_from(
         && found.is_none()
         && forest.visited() < enough
     {
-        for (side, w) in graph.sides(v).into_iter().enumerate() {
+        for (side, w) in graph.sides_or_none(v).into_iter().enumerate() {
             if w == TriangleId::NONE || w == matching.mate_or_none(v) {
                 continue;
             }

@@ -1,5 +1,6 @@
 //! Faces as lists of vertex indices.
 
+use std::iter::FusedIterator;
 use std::ops::{Index, Range};
 
 /// The most corners that a mesh may have: half-edges are numbered with 32 bits, and room to spare.
@@ -8,13 +9,21 @@ pub const MAX_CORNERS: usize = 1 << 31;
 /// Faces of any number of corners, stored one after the other.
 ///
 /// 4 bytes a corner; 4 bytes a face more if the faces differ in size.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// ```
+/// use triquad::mesh::Faces;
+///
+/// let mut faces = Faces::uniform(3, vec![0, 1, 2]);
+/// faces.push(&[2, 1, 3, 4]);
+/// assert_eq!((faces.len(), &faces[1]), (2, &[2, 1, 3, 4][..]));
+/// ```
+#[derive(Clone, Debug)]
 pub struct Faces {
     pub(super) corners: Vec<u32>,
     shape: Shape,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 enum Shape {
     Uniform(usize),
     /// Where each face ends in `corners`.
@@ -77,6 +86,9 @@ impl Faces {
     }
 
     /// Returns the place of face `face` in [`Faces::corners`].
+    ///
+    /// # Panics
+    /// If there is no such face.
     pub fn range(&self, face: usize) -> Range<usize> {
         match &self.shape {
             Shape::Uniform(arity) => face * arity..(face + 1) * arity,
@@ -87,9 +99,9 @@ impl Faces {
         }
     }
 
-    /// Returns the vertex indices of one face.
-    pub fn get(&self, face: usize) -> &[u32] {
-        &self.corners[self.range(face)]
+    /// Returns the vertex indices of one face, or `None` if there is no such face.
+    pub fn get(&self, face: usize) -> Option<&[u32]> {
+        (face < self.len()).then(|| &self[face])
     }
 
     /// Iterates over all faces in order.
@@ -127,11 +139,22 @@ impl Faces {
     }
 }
 
+impl PartialEq for Faces {
+    /// Compares the faces; no faces are equal to no faces, whatever their arity was to be.
+    fn eq(&self, other: &Self) -> bool {
+        self.corners == other.corners
+            && (self.shape == other.shape || self.is_empty() && other.is_empty())
+    }
+}
+
+impl Eq for Faces {}
+
 impl Index<usize> for Faces {
     type Output = [u32];
 
+    #[inline]
     fn index(&self, face: usize) -> &[u32] {
-        self.get(face)
+        &self.corners[self.range(face)]
     }
 }
 
@@ -169,7 +192,7 @@ impl<'a> Iterator for FacesIter<'a> {
     type Item = &'a [u32];
 
     fn next(&mut self) -> Option<&'a [u32]> {
-        self.range.next().map(|face| self.faces.get(face))
+        self.range.next().map(|face| &self.faces[face])
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -177,7 +200,30 @@ impl<'a> Iterator for FacesIter<'a> {
     }
 }
 
+impl DoubleEndedIterator for FacesIter<'_> {
+    fn next_back(&mut self) -> Option<Self::Item> {
+        self.range.next_back().map(|face| &self.faces[face])
+    }
+}
+
 impl ExactSizeIterator for FacesIter<'_> {}
+
+impl FusedIterator for FacesIter<'_> {}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Faces {
+    /// Writes a list of lists of vertex indices.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Faces {
+    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        Ok(Vec::<Vec<u32>>::deserialize(from)?.into_iter().collect())
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -191,6 +237,8 @@ mod tests {
         for (count, face) in given.iter().enumerate() {
             faces.push(face);
             assert!(faces.iter().eq(given[..=count].iter().copied()));
+            assert!(faces.iter().rev().eq(given[..=count].iter().rev().copied()));
+            assert_eq!((faces.get(count), faces.get(count + 1)), (Some(*face), None));
         }
         assert_eq!(faces.arity(), None);
     }
@@ -201,5 +249,21 @@ mod tests {
         faces.push(&[0, 1, 2, 3]);
         faces.push(&[0, 1, 2, 3]);
         assert_eq!((faces.arity(), faces.len()), (Some(4), 2));
+    }
+
+    #[test]
+    fn faces_are_equal_if_their_corners_are() {
+        assert_eq!(Faces::uniform(4, Vec::new()), Faces::default());
+        assert_ne!(Faces::from_iter([&[][..]]), Faces::default());
+        assert_ne!(Faces::uniform(4, vec![0; 12]), Faces::uniform(3, vec![0; 12]));
+    }
+
+    #[cfg(feature = "serde")]
+    #[test]
+    fn faces_are_lists_in_json() {
+        let faces = Faces::from_iter([&[0, 1, 2][..], &[], &[2, 1, 3, 4]]);
+        let json = serde_json::to_string(&faces).unwrap();
+        assert_eq!(json, "[[0,1,2],[],[2,1,3,4]]");
+        assert_eq!(serde_json::from_str::<Faces>(&json).unwrap(), faces);
     }
 }

@@ -5,8 +5,10 @@
 //! Uses [`atomic_file`](crate::atomic_file) alone.
 
 mod attributes;
+mod corner_indices;
 mod faces;
 mod polygon_mesh;
+mod text_list;
 
 #[cfg(feature = "files")]
 mod error;
@@ -27,9 +29,11 @@ mod stl;
 #[cfg(feature = "files")]
 mod tokens;
 
-pub use attributes::{Attributes, AttributesError, FaceSection, NO_INDEX, TextList};
+pub use attributes::{Attributes, AttributesError, FaceSection};
+pub use corner_indices::CornerIndices;
 pub use faces::{Faces, FacesIter, MAX_CORNERS};
 pub use polygon_mesh::Mesh;
+pub use text_list::{TextList, TextListIter};
 
 #[cfg(feature = "files")]
 pub use error::{MeshError, Place};

@@ -111,9 +111,7 @@ impl Mesh {
         self.faces.corners[range.clone()][1..].reverse();
         if let Some(attributes) = &mut self.attributes {
             for indices in [&mut attributes.corner_texture, &mut attributes.corner_normal] {
-                if !indices.is_empty() {
-                    indices[range.clone()][1..].reverse();
-                }
+                indices.reverse_after_first(range.clone());
             }
         }
     }
@@ -133,7 +131,7 @@ impl Mesh {
             let range = old.range(face);
             if range.len() <= 3 {
                 sources.extend(range);
-                self.faces.push(old.get(face));
+                self.faces.push(&old[face]);
                 self.cut_from.push(face as u32);
                 continue;
             }
@@ -166,14 +164,14 @@ impl<'a> From<&'a Mesh> for Cow<'a, Mesh> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::FaceSection;
+    use crate::mesh::attributes::FaceSection;
 
     #[test]
     fn fans_carry_what_is_attached() {
         let given: [&[u32]; 3] = [&[0, 1, 2, 3, 4], &[5, 6], &[7, 8, 9]];
         let mut list = Mesh::new(Vec::new(), Faces::from_iter(given));
         list.attributes = Some(Box::new(Attributes {
-            corner_texture: (10..20).collect(),
+            corner_texture: (10..20).map(Some).collect(),
             sections: vec![
                 FaceSection { first_face: 1, line: "g a".into() },
                 FaceSection { first_face: 3, line: "g b".into() },
@@ -185,11 +183,9 @@ mod tests {
         assert!(list.faces.iter().eq(expected));
         list.reverse_face(4);
         let attributes = list.attributes.unwrap();
-        assert_eq!(
-            attributes.corner_texture,
-            [10, 11, 12, 10, 12, 13, 10, 13, 14, 15, 16, 17, 19, 18]
-        );
-        assert_eq!(list.faces.get(4), [7, 9, 8]);
+        let expected = [10, 11, 12, 10, 12, 13, 10, 13, 14, 15, 16, 17, 19, 18].map(Some);
+        assert!(attributes.corner_texture.iter().eq(expected));
+        assert_eq!(list.faces[4], [7, 9, 8]);
         assert_eq!(attributes.sections.iter().map(|s| s.first_face).collect::<Vec<_>>(), [3, 5]);
     }
 
@@ -199,8 +195,9 @@ mod tests {
         let mut given = Attributes::default();
         given.texture_coordinates.push(b"0 0");
         for (corner_texture, fits) in
-            [(vec![0, 0, 0], true), (vec![0; 4], false), (vec![0, 0, 1], false)]
+            [([0, 0, 0].as_slice(), true), (&[0; 4], false), (&[0, 0, 1], false)]
         {
+            let corner_texture = corner_texture.iter().copied().map(Some).collect();
             let given = Attributes { corner_texture, ..given.clone() };
             assert_eq!(triangle().with_attributes(given).is_ok(), fits);
         }
@@ -211,7 +208,8 @@ mod tests {
 
     #[test]
     fn new_faces_leave_the_attributes_behind() {
-        let mut given = Attributes { corner_texture: vec![0; 3], ..Attributes::default() };
+        let corner_texture = [Some(0); 3].into_iter().collect();
+        let mut given = Attributes { corner_texture, ..Attributes::default() };
         given.texture_coordinates.push(b"0 0");
         let mesh = Mesh::from_triangles(vec![[0.0; 3]; 4], vec![[0, 1, 2]]);
         let mesh = mesh.with_attributes(given).unwrap();

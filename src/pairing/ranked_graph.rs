@@ -80,7 +80,7 @@ impl RankedGraph {
     /// Copies `graph` and puts every triangle in set 0. O(n).
     pub(super) fn new(graph: &DualGraph) -> Self {
         let rank = Rank::new(Priority::ThreeFree, 0);
-        let rows = graph.triangles().map(|f| Row { sides: graph.sides(f), rank }).collect();
+        let rows = graph.triangles().map(|f| Row { sides: graph.sides_or_none(f), rank }).collect();
         Self { rows, has_boundary: graph.has_boundary() }
     }
 

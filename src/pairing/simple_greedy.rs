@@ -15,7 +15,7 @@ pub fn simple_greedy(graph: &DualGraph, random: &mut Random) -> Matching {
     let mut matching = Matching::empty(graph.len());
     for edge in edges {
         let f = TriangleId(edge / 3);
-        let g = graph.sides(f)[edge as usize % 3];
+        let g = graph.sides_or_none(f)[edge as usize % 3];
         if !matching.is_paired(f) && !matching.is_paired(g) {
             matching.pair(f, g);
         }
@@ -27,7 +27,7 @@ pub fn simple_greedy(graph: &DualGraph, random: &mut Random) -> Matching {
 fn edges_of(graph: &DualGraph) -> Vec<u32> {
     let mut edges = Vec::with_capacity(graph.len() * 3 / 2);
     for f in graph.triangles() {
-        for (side, g) in graph.sides(f).into_iter().enumerate() {
+        for (side, g) in graph.sides_or_none(f).into_iter().enumerate() {
             if g != TriangleId::NONE && f < g {
                 edges.push((3 * f.index() + side) as u32);
             }

@@ -8,7 +8,7 @@ mod retriangulation;
 mod sharp_edges;
 
 use crate::dual::PerfectMatching;
-use crate::mesh::{Attributes, FaceSection, Faces, Mesh, NO_INDEX};
+use crate::mesh::{Attributes, CornerIndices, FaceSection, Faces, Mesh};
 use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexId};
 
 pub(crate) use check::check_faces;
@@ -93,10 +93,7 @@ impl Quadrangulation {
             .flat_map(|&side| corner_sources(paired, side))
             .map(|h| corners.find(h, paired.origin(h)))
             .collect();
-        let carry = |indices: &[u32]| match indices {
-            [] => Vec::new(),
-            _ => sources.iter().map(|h| *indices.get(h.0 as usize).unwrap_or(&NO_INDEX)).collect(),
-        };
+        let carry = |given: &CornerIndices| given.gather(sources.iter().map(|h| h.index()));
         Some(Attributes {
             texture_coordinates: given.texture_coordinates.clone(),
             normals: given.normals.clone(),

@@ -175,14 +175,14 @@ fn all_distinct(corners: &[u32]) -> bool {
 
 fn find_duplicates(list: &Mesh, sound: &[bool], violations: &mut Violations) {
     let sorted_corners = |face: usize| {
-        let mut corners = list.faces().get(face).to_vec();
+        let mut corners = list.faces()[face].to_vec();
         corners.sort_unstable();
         corners
     };
     // A sum does not depend on the order of the corners; equal sums are looked at more closely.
     let scramble =
         |&v: &u32| (u64::from(v) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
-    let key = |face: usize| list.faces().get(face).iter().map(scramble).fold(0, u64::wrapping_add);
+    let key = |face: usize| list.faces()[face].iter().map(scramble).fold(0, u64::wrapping_add);
     let mut keyed: Vec<(u64, usize)> =
         (0..sound.len()).filter(|&face| sound[face]).map(|face| (key(face), face)).collect();
     keyed.sort_unstable();
@@ -362,7 +362,7 @@ impl Connected {
         let mut used = vec![false; count];
         let mut sets = DisjointSets::new(count);
         for face in (0..sound.len()).filter(|&face| sound[face]) {
-            let corners = list.faces().get(face);
+            let corners = &list.faces()[face];
             for &v in corners {
                 used[v as usize] = true;
                 sets.join(corners[0], v);

@@ -241,9 +241,7 @@ fn obj_attributes_are_read_as_given_and_read_back() {
                 .eq((0..mesh.positions().len()).map(|v| format!("{v} -0.0 0.50").into_bytes()))
         );
         for corner in 0..mesh.faces().corners().len() {
-            let index = |indices: &[u32]| {
-                indices.get(corner).filter(|i| **i != mesh::NO_INDEX).map(|i| *i as usize + 1)
-            };
+            let index = |indices: &mesh::CornerIndices| indices.get(corner).map(|i| i as usize + 1);
             let read = (index(&all.corner_texture), index(&all.corner_normal));
             assert_eq!(read, given.at(&mesh, corner), "{given:?}: corner {corner}");
         }
@@ -289,9 +287,14 @@ fn quads_take_attributes_from_their_triangles() {
 fn assert_corners_follow(quads: &Mesh, triangles: &Mesh, what: &str) {
     let corners = triangles.faces().corners();
     for (corner, &vertex) in quads.faces().corners().iter().enumerate() {
-        let source = corners.len() - 1 - attributes(quads).corner_texture[corner] as usize;
+        let source =
+            corners.len() - 1 - attributes(quads).corner_texture.get(corner).unwrap() as usize;
         assert_eq!(corners[source], vertex, "{what}: texture index of corner {corner}");
-        assert_eq!(attributes(quads).corner_normal[corner], vertex, "{what}: normal of {corner}");
+        assert_eq!(
+            attributes(quads).corner_normal.get(corner),
+            Some(vertex),
+            "{what}: normal of {corner}"
+        );
     }
 }
 
@@ -302,11 +305,12 @@ fn quad_sources(quads: &Mesh, triangles: &Mesh, what: &str) -> Vec<[usize; 2]> {
         let mut sources: Vec<usize> = Vec::new();
         for corner in quads.faces().range(quad) {
             let vertex = quads.faces().corners()[corner];
-            let source = corners.len() - 1 - attributes(quads).corner_texture[corner] as usize;
+            let source =
+                corners.len() - 1 - attributes(quads).corner_texture.get(corner).unwrap() as usize;
             assert_eq!(corners[source], vertex, "{what}: texture index of quad {quad}");
             assert_eq!(
-                attributes(quads).corner_normal[corner],
-                vertex,
+                attributes(quads).corner_normal.get(corner),
+                Some(vertex),
                 "{what}: normal of quad {quad}"
             );
             sources.push(source / 3);
@@ -316,11 +320,8 @@ fn quad_sources(quads: &Mesh, triangles: &Mesh, what: &str) -> Vec<[usize; 2]> {
         let pair: [usize; 2] = sources.try_into().unwrap_or_else(|sources| {
             panic!("{what}: corners of quad {quad} come from the triangles {sources:?}")
         });
-        for vertex in pair.iter().flat_map(|&triangle| triangles.faces().get(triangle)) {
-            assert!(
-                quads.faces().get(quad).contains(vertex),
-                "{what}: quad {quad} is not of {pair:?}"
-            );
+        for vertex in pair.iter().flat_map(|&triangle| &triangles.faces()[triangle]) {
+            assert!(quads.faces()[quad].contains(vertex), "{what}: quad {quad} is not of {pair:?}");
         }
         pair
     };

@@ -48,7 +48,7 @@ impl<'a, C: Copy + Into<i128>> DualProblem<'a, C> {
     #[inline]
     fn across(&self, node: u32) -> [u32; 3] {
         let number = |f: TriangleId| f.some().map_or(NONE, |f| f.index() as u32);
-        self.graph.sides(TriangleId::new(node as usize)).map(number)
+        self.graph.sides_or_none(TriangleId::new(node as usize)).map(number)
     }
 
     /// Returns whether the edge across a side is locked on either side.

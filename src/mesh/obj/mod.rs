@@ -14,7 +14,7 @@ use blocks::Blocks;
 use cursor::{Cursor, Fault};
 pub(super) use write::write;
 
-use super::attributes::{Attributes, FaceSection, NO_INDEX};
+use super::attributes::{Attributes, FaceSection};
 use super::error::{MeshError, Place};
 use super::faces::MAX_CORNERS;
 use super::polygon_mesh::Mesh;
@@ -125,13 +125,13 @@ impl Parser {
         if !cursor.rest.starts_with(b"/") {
             let texture =
                 resolve(cursor.integer()?, attributes.texture_coordinates.len(), "texture")?;
-            attributes.corner_texture.resize(corner, NO_INDEX);
-            attributes.corner_texture.push(texture);
+            attributes.corner_texture.pad(corner);
+            attributes.corner_texture.push(Some(texture));
         }
         if cursor.take(b'/') {
             let normal = resolve(cursor.integer()?, attributes.normals.len(), "normal")?;
-            attributes.corner_normal.resize(corner, NO_INDEX);
-            attributes.corner_normal.push(normal);
+            attributes.corner_normal.pad(corner);
+            attributes.corner_normal.push(Some(normal));
         }
         cursor.end_of_word()
     }
@@ -162,10 +162,9 @@ impl Parser {
             (&mut attributes.corner_normal, attributes.normals.len(), "normal"),
         ] {
             if !indices.is_empty() {
-                indices.resize(corners, NO_INDEX);
+                indices.pad(corners);
             }
-            let missing = |&&index: &&u32| index != NO_INDEX && index as usize >= given;
-            if let Some(&index) = indices.iter().find(missing) {
+            if let Some((_, index)) = indices.first_beyond(given) {
                 let problem =
                     format!("a face names {kind} coordinate {}, there are {given}", index + 1);
                 return Err(MeshError::malformed(Place::End, problem));
@@ -193,7 +192,7 @@ fn resolve(index: i64, count: usize, kind: &str) -> Result<u32, Fault> {
         _ => count as i64 + index,
     };
     match u32::try_from(from_zero) {
-        Ok(resolved) if resolved != NO_INDEX => Ok(resolved),
+        Ok(resolved) if resolved != u32::MAX => Ok(resolved),
         _ => Err(format!("{kind} index {index} is out of range").into()),
     }
 }
@@ -319,7 +318,7 @@ mod tests {
         write(&mut written, &list).unwrap();
         assert_eq!(read(&written).unwrap(), list);
         let attributes = list.attributes.unwrap();
-        assert_eq!(attributes.corner_texture[..4], [0, 1, 2, NO_INDEX]);
+        assert!(attributes.corner_texture.iter().take(4).eq([Some(0), Some(1), Some(2), None]));
         assert_eq!(attributes.sections[3], FaceSection { first_face: 1, line: "s off".into() });
     }
 

@@ -2,8 +2,9 @@
 
 use std::io::{self, Write};
 
-use crate::mesh::attributes::{Attributes, NO_INDEX, TextList};
+use crate::mesh::attributes::Attributes;
 use crate::mesh::polygon_mesh::Mesh;
+use crate::mesh::text_list::TextList;
 
 /// Writes an OBJ file, attributes included; `out` should be buffered.
 ///
@@ -60,10 +61,7 @@ impl Text<'_> {
         for corner in mesh.faces.range(face) {
             self.buffer.push(b' ');
             self.index(mesh.faces.corners()[corner]);
-            let given = |indices: &Vec<u32>| {
-                indices.get(corner).copied().filter(|&index| index != NO_INDEX)
-            };
-            match (given(&attributes.corner_texture), given(&attributes.corner_normal)) {
+            match (attributes.corner_texture.get(corner), attributes.corner_normal.get(corner)) {
                 (None, None) => {}
                 (texture, normal) => {
                     self.buffer.push(b'/');

@@ -127,7 +127,7 @@ impl EdgeMarks {
             // Branch-free: the side is unpredictable. All ones for the one in M.
             let [first, second, third] =
                 marks.map(|mark| u32::from(mark & EdgeMark::Matched as u8 != 0).wrapping_neg());
-            let [one, two, three] = dual.sides(f).map(|across| across.0);
+            let [one, two, three] = dual.sides_or_none(f).map(|across| across.0);
             let none = TriangleId::NONE.0 & !(first | second | third);
             TriangleId(first & one | second & two | third & three | none)
         };

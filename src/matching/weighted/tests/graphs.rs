@@ -134,7 +134,7 @@ pub(super) fn surface() -> impl Strategy<Value = Rows> {
         let draws = vec((any::<u32>(), 0..10_u32), 3 * count);
         (prices(count, range), draws).prop_map(move |(prices, draws)| {
             let neighbours = graph.triangles().flat_map(|f| {
-                graph.sides(f).map(|g: TriangleId| (f.index() as u32, g.index() as u32))
+                graph.sides_or_none(f).map(|g: TriangleId| (f.index() as u32, g.index() as u32))
             });
             let edges = neighbours.zip(&draws);
             let present = edges.filter(|((u, v), (_, chance))| u < v && *chance >= missing / 2);
