@@ -76,7 +76,7 @@ mod tests {
             let (other, _) = make_maximum(&pairing.dual, greedy, Augmentation::Local, on_path);
             let cost = |f: TriangleId| {
                 let sides = pairing.dual.sides(f);
-                let side = sides.iter().position(|&g| Some(g) == other.mate(f)).unwrap();
+                let side = sides.iter().position(|&g| g == other.mate(f)).unwrap();
                 i128::from(costs[f.index()][side])
             };
             prop_assert!(2 * proof.cost <= pairing.dual.triangles().map(cost).sum::<i128>());

@@ -4,8 +4,10 @@
 //! vertex an array over all vertices remembers which half-edge leads where. A mesh that breaks a
 //! law is given up at the first sign and left to the slower, exhaustive [`Survey`].
 
+use super::half_edges::{Side, Triangulation};
+use super::ids::{HalfEdgeId, IdVec, VertexId};
 use super::laws::is_too_large;
-use super::{HalfEdgeId, IdVec, Side, Survey, Triangulation, VertexId};
+use super::survey::Survey;
 use crate::disjoint_sets::DisjointSets;
 use crate::mesh::Mesh;
 

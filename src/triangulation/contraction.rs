@@ -6,9 +6,11 @@
 //! other. The removed triangles thus keep their surroundings, and a split needs one half-edge only.
 //! Departs from the paper, whose edge records have no counterpart here.
 
+use super::half_edges::{Side, Triangulation};
+use super::ids::{HalfEdgeId, IdVec, TriangleId, VertexId};
+use super::receipt::VertexSplit;
 use super::spokes::Spokes;
 use super::surroundings::{Surroundings, join};
-use super::{HalfEdgeId, IdVec, Side, TriangleId, Triangulation, VertexId, VertexSplit};
 
 /// A triangulation whose edges can be contracted, and the contractions undone last-in first-out.
 ///

@@ -1,6 +1,6 @@
 //! Counts: vertices, edges, triangles, components, Euler characteristic and genus.
 
-use super::Triangulation;
+use super::half_edges::Triangulation;
 
 impl Triangulation {
     /// Returns the number of triangles n_f.

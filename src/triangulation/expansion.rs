@@ -1,9 +1,10 @@
 //! Vertex splits on half-edges alone; no per-vertex data is kept.
 
+use super::contraction::ShrinkingTriangulation;
+use super::half_edges::{Side, Triangulation};
+use super::ids::{HalfEdgeId, IdVec, VertexId};
+use super::receipt::VertexSplit;
 use super::surroundings::Surroundings;
-use super::{
-    HalfEdgeId, IdVec, ShrinkingTriangulation, Side, Triangulation, VertexId, VertexSplit,
-};
 
 /// A triangulation whose contractions are being undone: half-edges alone, so that a split touches
 /// nothing else. 24 bytes a triangle.

@@ -6,9 +6,10 @@
 //! marks: flips are not independent, as two flipped edges may share a triangle, so they are made
 //! one after the other.
 
-use super::{
-    ExpandingTriangulation, HalfEdgeId, IdVec, ShrinkingTriangulation, Side, Triangulation,
-};
+use super::contraction::ShrinkingTriangulation;
+use super::expansion::ExpandingTriangulation;
+use super::half_edges::{Side, Triangulation};
+use super::ids::{HalfEdgeId, IdVec};
 use crate::prefetch::prefetch;
 
 /// Present places of half-edges that have made way for flipped edges. 12 bytes a triangle.

@@ -1,7 +1,8 @@
 //! The link condition, which decides whether an edge can be contracted (Ramaswami-Siqueira, section
 //! 2).
 
-use super::{HalfEdgeId, IdVec, ShrinkingTriangulation, VertexId};
+use super::contraction::ShrinkingTriangulation;
+use super::ids::{HalfEdgeId, IdVec, VertexId};
 
 impl ShrinkingTriangulation {
     /// Returns whether contracting the edge of `h` keeps the surface: no vertex but the apexes of

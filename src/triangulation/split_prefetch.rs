@@ -1,8 +1,9 @@
 //! Prefetching for contractions and splits: neighbours in a mesh may lie far apart in memory.
 
-use super::{
-    Connectivity, ExpandingTriangulation, HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit,
-};
+use super::contraction::ShrinkingTriangulation;
+use super::expansion::{Connectivity, ExpandingTriangulation};
+use super::ids::{HalfEdgeId, VertexId};
+use super::receipt::VertexSplit;
 use crate::prefetch::prefetch;
 
 impl ShrinkingTriangulation {

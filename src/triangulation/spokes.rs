@@ -1,6 +1,7 @@
 //! Walking round a vertex.
 
-use super::{HalfEdgeId, IdVec, Side};
+use super::half_edges::Side;
+use super::ids::{HalfEdgeId, IdVec};
 
 /// Half-edges that leave a vertex, clockwise.
 #[derive(Clone, Debug)]

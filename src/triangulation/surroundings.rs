@@ -1,6 +1,7 @@
 //! The half-edges round an edge that is contracted or split.
 
-use super::{HalfEdgeId, IdVec, Side, VertexId};
+use super::half_edges::Side;
+use super::ids::{HalfEdgeId, IdVec, VertexId};
 
 /// The half-edges round edge `h` from u to v, named once for contraction and split.
 ///

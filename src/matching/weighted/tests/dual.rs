@@ -20,8 +20,12 @@ use crate::triangulation::TriangleId;
 fn edges(graph: &DualGraph) -> Vec<[(usize, usize); 2]> {
     let sides = graph.triangles().flat_map(|f| (0..3).map(move |i| (f, i)));
     let edge = |(f, i): (TriangleId, usize)| {
-        let g = graph.sides(f)[i];
-        let j = graph.sides(g).iter().position(|&back| back == f).expect("edges have two sides");
+        let g = graph.sides_or_none(f)[i];
+        let j = graph
+            .sides_or_none(g)
+            .iter()
+            .position(|&back| back == f)
+            .expect("edges have two sides");
         [(f.index(), i), (g.index(), j)]
     };
     sides.map(edge).filter(|[a, b]| a < b).collect()
