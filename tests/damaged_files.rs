@@ -27,19 +27,20 @@ const BUFFERS: usize = 3 << 20;
 /// Memory that a reader may take for each byte of the file.
 const MEMORY_PER_BYTE: usize = 64;
 
-const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0.5 -1e-3\nv .5 1 0\nv 0 0 1 # fourth\nvt 0 1\nvt 1 1\n\
-                   vn 0 0 1\no thing\ng left\nusemtl red\ns 1\nf 1/1/1 3/2/1 2/1/1\nf 1//1 2//1 4//1\n\
-                   usemtl blue\nf 2 3 \\\n -1\nf -4 -1 -2\n";
-const OFF: &str = "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n1 0.5 -1e-3\n.5 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n\
-                   3 1 2 3 255 0 0\n3 0 3 2\n";
+const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0.5 -1e-3\nv .5 1 0\nv 0 0 1 # fourth\n\
+                   vt 0 1\nvt 1 1\nvn 0 0 1\no thing\ng left\nusemtl red\ns 1\n\
+                   f 1/1/1 3/2/1 2/1/1\nf 1//1 2//1 4//1\nusemtl blue\nf 2 3 \\\n -1\nf -4 -1 -2\n";
+const OFF: &str = "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n1 0.5 -1e-3\n.5 1 0\n0 0 1\n3 0 2 1\n\
+                   3 0 1 3\n3 1 2 3 255 0 0\n3 0 3 2\n";
 const PLY: &str = "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\n\
                    property double y\nproperty float z\nproperty uchar red\nelement face 4\n\
                    property list uchar int vertex_indices\nproperty list uint8 float texcoord\n\
-                   element edge 1\nproperty int a\nend_header\n0 0 0 1\n1 0.5 -1e-3 2\n.5 1 0 3\n\
-                   0 0 1 255\n3 0 2 1 0\n3 0 1 3 2 .5 .5\n3 1 2 3 0\n3 0 3 2 0\n7\n";
-const STL: &str = "solid thing\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0.5 -1e-3\n\
-                   vertex .5 1 0\nendloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n\
-                   vertex .5 1 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid thing\n";
+                   element edge 1\nproperty int a\nend_header\n0 0 0 1\n1 0.5 -1e-3 2\n\
+                   .5 1 0 3\n0 0 1 255\n3 0 2 1 0\n3 0 1 3 2 .5 .5\n3 1 2 3 0\n3 0 3 2 0\n7\n";
+const STL: &str = "solid thing\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n\
+                   vertex 1 0.5 -1e-3\nvertex .5 1 0\nendloop\nendfacet\nfacet normal 0 0 0\n\
+                   outer loop\nvertex 0 0 0\nvertex .5 1 0\nvertex 0 0 1\nendloop\nendfacet\n\
+                   endsolid thing\n";
 
 /// The faces of a tetrahedron.
 const FACES: [[u8; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];

@@ -10,9 +10,9 @@
 //!
 //! The closed orientable surfaces are consistently oriented, counter-clockwise seen from outside
 //! where they are embedded. Without the feature the crate has no dependencies. The generators have
-//! no random numbers of their own: callers pass a function `below` such that `below(n)` is a uniform
-//! draw from `0..n`. Nothing here calls a mathematical function whose last bit differs between
-//! platforms, so equal arguments give equal bits everywhere.
+//! no random numbers of their own: callers pass a function `below` such that `below(n)` is a
+//! uniform draw from `0..n`. Nothing here calls a mathematical function whose last bit differs
+//! between platforms, so equal arguments give equal bits everywhere.
 //!
 //! ```
 //! use triquad_generators::{grids, random};

@@ -11,4 +11,5 @@ mod laws;
 mod matching;
 #[cfg(feature = "files")]
 mod real_meshes;
+#[cfg(feature = "files")]
 mod simplify;

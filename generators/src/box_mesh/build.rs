@@ -66,8 +66,8 @@ impl Axis {
         end
     }
 
-    /// Whether cells have the other diagonal because of their place in a column, or [`None`] between
-    /// two columns.
+    /// Whether cells have the other diagonal because of their place in a column, or [`None`]
+    /// between two columns.
     fn is_turned(&self, cell: usize) -> Option<bool> {
         let start = self.starts.get(self.columns[cell] as usize)?;
         Some(is_turned(cell - start))

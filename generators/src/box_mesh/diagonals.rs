@@ -3,9 +3,9 @@
 //! Always the one from the first corner would do, but for one algorithm: what Pulli and Segal's
 //! pairs up spreads in a front, and a front that closes round a cavity before it has filled it
 //! leaves an island behind, whose number of triangles may be odd. With equal diagonals and square
-//! cells, 1.1 triangles a cavity are left alone in A1 of the papers, which lost 0.035. With diagonals
-//! that turn every two cells, and fewer but higher cells on the walls of cavities, it is 0.03 (with
-//! either alone 0.5 and 0.3).
+//! cells, 1.1 triangles a cavity are left alone in A1 of the papers, which lost 0.035. With
+//! diagonals that turn every two cells, and fewer but higher cells on the walls of cavities, it is
+//! 0.03 (with either alone 0.5 and 0.3).
 //!
 //! A strip of cells keeps its diagonal where it runs over an edge of the box, so that the vertices
 //! there have degree 6 like those inside:

@@ -8,8 +8,8 @@ pub(crate) const HEIGHT: f64 = 1.0;
 pub(crate) const SHAFT: f64 = 1.0;
 /// Depth of a cavity.
 pub(crate) const DEPTH: f64 = 0.75;
-/// What it counts when cells are dealt out: those of its walls are about half again as high as wide.
-/// Why is told with the diagonals.
+/// Depth of a cavity as it counts when cells are dealt out: cells of its walls are about half again
+/// as high as wide. Module `diagonals` gives the reason.
 const COUNTED_DEPTH: f64 = DEPTH / 1.5;
 
 /// Distance between neighbouring shafts, and from the outer ones to the sides; without shafts,

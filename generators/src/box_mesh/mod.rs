@@ -15,10 +15,10 @@
 //!
 //! Every face is a grid of nearly square cells, each cut in two; neighbouring faces share the
 //! vertices of their common edge. Those on the walls of cavities are half again as high as wide.
-//! Diagonals turn every two cells along a shaft, in such a way that nearly all degrees are 6, on the
-//! rims of shafts too. Other degrees occur in the corners, eight a shaft and eight of the box, along
-//! two sides of each floor, of its counterpart on the bottom and of the place of a missing shaft,
-//! along the edges of the box, and around the centres described at [`BoxShape::surface`].
+//! Diagonals turn every two cells along a shaft, in such a way that nearly all degrees are 6, on
+//! the rims of shafts too. Other degrees occur in the corners, eight a shaft and eight of the box,
+//! along two sides of each floor, of its counterpart on the bottom and of the place of a missing
+//! shaft, along the edges of the box, and around the centres described at [`BoxShape::surface`].
 
 pub(crate) mod array;
 mod build;
@@ -37,7 +37,8 @@ pub use shape::{BoxShape, ImpossibleBox};
 
 impl BoxShape {
     /// The fewest vertices of a box with these cavities and holes: 8 without any, otherwise
-    /// `8(m + 1)² + 4 · cavities` with an `m` × `m` array, whichever of its places stay empty. O(1).
+    /// `8(m + 1)² + 4 · cavities` with an `m` × `m` array, whichever of its places stay empty.
+    /// O(1).
     pub fn minimum_vertices(cavities: u32, holes: u32) -> u64 {
         Lattice::coarsest(cavities, holes).vertices()
     }
@@ -46,10 +47,10 @@ impl BoxShape {
     /// [`BoxShape::vertices`] vertices; axis-parallel faces, outward, without self-intersections.
     ///
     /// The grid is refined where its cells are longest, those of cavities counting 2/3, as long as
-    /// the vertices suffice. What is left over goes first into whole grid lines between the shafts, then into whole rings of
-    /// single shafts, which both leave nearly all degrees at 6. The last few, fewer than a ring or, in a
-    /// box without shafts, than a line, become centres of single cells spread over the surface: a
-    /// vertex of degree 4 and two of degree 7 each.
+    /// the vertices suffice. What is left over goes first into whole grid lines between the shafts,
+    /// then into whole rings of single shafts, which both leave nearly all degrees at 6. The last
+    /// few, fewer than a ring or, in a box without shafts, than a line, become centres of single
+    /// cells spread over the surface: a vertex of degree 4 and two of degree 7 each.
     ///
     /// Holes are spread over the array, and so are the empty places. Numbers of vertices and
     /// triangles run along the rows of the faces, each shaft after the row of the array it is in.

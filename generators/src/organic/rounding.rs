@@ -119,8 +119,8 @@ fn softened([x, y]: [f64; 2], softness: f64) -> f64 {
     ((sum + (difference * difference + soft * soft).sqrt()) / 2.0).sqrt()
 }
 
-/// Makes a square of this half side nearly round: a part of the map `x √(1 - y²/2)`, `y √(1 - x²/2)`
-/// from the square of half side 1 to the disc.
+/// Makes a square of this half side nearly round: a part of the map
+/// `x √(1 - y²/2)`, `y √(1 - x²/2)` from the square of half side 1 to the disc.
 fn to_disc(point: [f64; 2], half_side: f64) -> [f64; 2] {
     let [x, y] = point.map(|x| x * ROUND / half_side);
     let [across, along] = [y, x].map(|other| (1.0 - other * other / 2.0).sqrt());
