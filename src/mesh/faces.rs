@@ -26,7 +26,7 @@ pub struct Faces {
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Shape {
     Uniform(usize),
-    /// Where each face ends in `corners`.
+    /// End of each face in `corners`.
     Mixed(Vec<u32>),
 }
 

@@ -6,7 +6,7 @@ use crate::dual::{DualGraph, Matching};
 use crate::triangulation::Triangulation;
 
 /// An initial pairing, and the triangulation whose triangles it pairs.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct InitialPairing<'t> {
     /// The input, or another triangulation of the same surface with the same vertices.
