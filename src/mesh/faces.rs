@@ -116,6 +116,7 @@ impl Faces {
     }
 
     /// Appends one corner to the face that the next [`Faces::close_face`] will end.
+    #[cfg(feature = "files")]
     #[inline]
     pub(super) fn push_corner(&mut self, vertex: u32) {
         self.corners.push(vertex);

@@ -139,7 +139,7 @@ pub(super) fn write(out: &mut dyn Write, positions: &[[f64; 3]], faces: &Faces) 
         write_line(out, &mut line)?;
     }
     let mut integer = itoa::Buffer::new();
-    for face in faces.iter() {
+    for face in faces {
         line.clear();
         line.extend_from_slice(integer.format(face.len()).as_bytes());
         line.push(b' ');

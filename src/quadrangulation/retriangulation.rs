@@ -62,7 +62,7 @@ impl Components {
     fn of(faces: &Faces, vertices: usize) -> Self {
         let mut sets = DisjointSets::new(vertices);
         let mut used = vec![false; vertices];
-        for face in faces.iter() {
+        for face in faces {
             face.iter().for_each(|&v| used[v as usize] = true);
             face.windows(2).for_each(|side| {
                 sets.join(side[0], side[1]);

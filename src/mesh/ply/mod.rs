@@ -180,7 +180,7 @@ fn write_positions<const N: usize>(
 
 fn write_faces(out: &mut dyn Write, faces: &Faces, count_bytes: usize) -> io::Result<()> {
     let mut record = Vec::new();
-    for face in faces.iter() {
+    for face in faces {
         record.clear();
         record.extend_from_slice(&(face.len() as u32).to_le_bytes()[..count_bytes]);
         for vertex in face {
