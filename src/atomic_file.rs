@@ -7,12 +7,12 @@ use std::sync::{Mutex, PoisonError};
 
 use tempfile::NamedTempFile;
 
-/// Temporary files not yet renamed, for whoever has to clean up when the process is interrupted.
+/// Temporary files not yet renamed, to be removed if the process is interrupted.
 static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Removes the temporary files of everything that is being written.
 ///
-/// For the thread that handles an interrupt, just before the process ends.
+/// To be called by the thread that handles an interrupt, just before the process ends.
 pub fn abandon_all() {
     for path in PENDING.lock().unwrap_or_else(PoisonError::into_inner).iter() {
         let _ = std::fs::remove_file(path);
@@ -21,9 +21,23 @@ pub fn abandon_all() {
 
 /// A file written beside its target under a temporary name and renamed when it is complete.
 ///
-/// Made before the work starts, so that a folder that cannot be written to is found out at once.
-/// Dropped without [`AtomicFile::commit`], it leaves nothing behind. A symbolic link is followed;
-/// a device or pipe, which cannot be replaced, is written to as it is.
+/// To be made before the work starts, so that a folder without write permission is found at once.
+/// Dropped without [`AtomicFile::commit`], it leaves nothing behind. A symbolic link is followed.
+/// A device or pipe cannot be replaced and is written to directly.
+///
+/// ```
+/// use std::io::Write;
+/// use triquad::atomic_file::AtomicFile;
+///
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("counts.csv");
+/// let mut file = AtomicFile::create(&path)?;
+/// writeln!(file, "quads,1234")?;
+/// assert!(!path.exists());
+/// file.commit()?;
+/// assert!(path.exists());
+/// # Ok::<(), std::io::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct AtomicFile(Kind);
 
@@ -37,8 +51,10 @@ impl AtomicFile {
     /// Opens a temporary file in the folder of `target`.
     ///
     /// # Errors
-    /// `target` is a folder, or no file can be made beside it.
-    pub fn create(target: &Path) -> io::Result<Self> {
+    /// `target` is a folder, or no file can be made beside it. Other errors are those of the file
+    /// system.
+    pub fn create(target: impl AsRef<Path>) -> io::Result<Self> {
+        let target = target.as_ref();
         let target = target.canonicalize().unwrap_or_else(|_| target.to_owned());
         if target.is_dir() {
             return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder"));
@@ -62,7 +78,7 @@ impl AtomicFile {
     /// Puts the complete file in place of the target.
     ///
     /// # Errors
-    /// Those of the file system; the target is then what it was.
+    /// Those of the file system. The target is then what it was.
     pub fn commit(self) -> io::Result<()> {
         match self.0 {
             Kind::Renamed { target, file, _registration } => {
@@ -150,7 +166,7 @@ mod tests {
     fn a_folder_is_no_target() {
         let folder = tempfile::tempdir().unwrap();
         assert!(AtomicFile::create(folder.path()).is_err());
-        assert!(AtomicFile::create(&folder.path().join("missing/a.txt")).is_err());
+        assert!(AtomicFile::create(folder.path().join("missing/a.txt")).is_err());
     }
 
     #[cfg(unix)]
@@ -177,7 +193,7 @@ mod tests {
         out.commit().unwrap();
         assert!(link.is_symlink());
         assert_eq!(std::fs::read_to_string(&file).unwrap(), "new");
-        let mut out = AtomicFile::create(Path::new("/dev/null")).unwrap();
+        let mut out = AtomicFile::create("/dev/null").unwrap();
         out.write_all(b"gone").unwrap();
         out.commit().unwrap();
         assert!(!Path::new("/dev/null").is_file());

@@ -19,8 +19,8 @@ pub trait Clock {
     }
 }
 
-/// The monotonic clock of the system.
-#[derive(Debug)]
+/// The monotonic clock of the system, from 0 where it is made.
+#[derive(Clone, Copy, Debug)]
 pub struct SystemClock(Instant);
 
 impl Default for SystemClock {
@@ -43,7 +43,7 @@ pub struct SteppingClock {
 }
 
 impl SteppingClock {
-    /// Makes a clock whose readings are 0, `step`, `2 step` …
+    /// Makes a clock whose readings are 0, `step`, `2 step` … seconds.
     pub fn new(step: f64) -> Self {
         Self { readings: AtomicU32::new(0), step }
     }

@@ -3,14 +3,14 @@
 //! The trees of all unpaired triangles grow together, breadth first, in rounds: in each round every
 //! tree may double. Where two trees meet they make an augmenting path, and only these two are
 //! felled: their triangles are free again for the trees around. Growing together keeps trees small,
-//! as paths are found half-way; with one tree at a time the last few paths would each search much
+//! as paths are found half-way. With one tree at a time the last few paths would each search much
 //! of the mesh. Growing by doubling rather than by single triangles keeps one tree after the other
 //! in the cache.
 //!
-//! Where paths are long and many, as between two far regions of a regular mesh, whose dual graph is
-//! bipartite, so that trees of like roots never meet, the same ground would be taken and freed again
-//! and again. Once more has been visited than a few times the mesh, trees that met are therefore
-//! fenced instead: nobody else enters them until no tree can grow any more, and then all start anew.
+//! Paths can be long and many, as between two far regions of a regular mesh. There the dual graph
+//! is bipartite, and trees of like roots never meet. The same triangles would be taken and freed
+//! again and again. So once more has been visited than a few times the mesh, trees that met are
+//! fenced instead. No other tree enters them until none can grow any more; then all start anew.
 //! Such a phase visits a triangle once at most and finds many paths.
 
 use std::ops::ControlFlow;
@@ -23,10 +23,10 @@ use crate::triangulation::TriangleId;
 /// Number of triangles that a tree may take in during the first round.
 const FIRST_SHARE: usize = 32;
 
-/// How many times more triangles a tree may take in during each round than in the one before.
+/// Factor by which the share of a tree grows from round to round.
 const GROWTH: usize = 2;
 
-/// How many times the mesh is visited before trees that met are fenced instead of felled.
+/// Number of visits, in sizes of the mesh, after which trees that met are fenced, not felled.
 const PATIENCE: usize = 4;
 
 /// Augments until no path is left.
@@ -38,7 +38,7 @@ pub(super) fn augment(
     augment_with_patience(PATIENCE * graph.len(), graph, matching, on_path)
 }
 
-/// Like [`augment`], fencing trees after `patience` visits of triangles.
+/// Augments like [`augment`], fencing trees after `patience` visits of triangles.
 fn augment_with_patience(
     patience: usize,
     graph: &DualGraph,
@@ -70,16 +70,17 @@ struct Search<'g> {
     stats: AugmentationStats,
     /// Number of visits after which trees are fenced.
     patience: usize,
-    /// Whether a tree has been fenced.
+    /// True if a tree has been fenced.
     fencing: bool,
 }
 
 impl Search<'_> {
-    /// Grows trees from all unpaired triangles until none can grow any more or `on_path` says stop.
+    /// Grows trees from all unpaired triangles until none can grow any more or `on_path` breaks.
     ///
-    /// Invariant: every neighbour of an outer triangle that is not listed in its tree, to be scanned,
-    /// is in the same tree, and if outer in the same blossom. So when a round neither grows a tree nor
-    /// finds a path, and no tree is fenced, the forest proves that the matching is maximum (Edmonds).
+    /// Invariant: take an outer triangle that its tree does not list as to be scanned. All its
+    /// neighbours are in the same tree, and the outer ones in the same blossom. Let a round neither
+    /// grow a tree nor find a path while no tree is fenced. Then the forest proves that the
+    /// matching is maximum (Edmonds).
     fn run(
         &mut self,
         matching: &mut Matching,
@@ -104,7 +105,7 @@ impl Search<'_> {
         }
     }
 
-    /// Lets `tree` take in `share` more triangles.
+    /// Grows `tree` by up to `share` triangles.
     fn grow(
         &mut self,
         matching: &mut Matching,
@@ -127,6 +128,7 @@ impl Search<'_> {
         ControlFlow::Continue(())
     }
 
+    /// Fells a tree whose root is paired now, or fences it once patience has run out.
     fn retire(&mut self, tree: TreeId) {
         if self.forest.visited() > self.patience {
             self.fencing = true;
@@ -136,10 +138,10 @@ impl Search<'_> {
         }
     }
 
-    /// Grows `tree` by the neighbours of its outer triangle `v`; an outer neighbour in another tree is
-    /// returned with that.
+    /// Grows `tree` by the neighbours of its outer triangle `v`.
     ///
-    /// Where another tree bars the way, `v` has to be scanned again later.
+    /// Returns the first outer neighbour in another tree, with that tree. Where another tree bars
+    /// the way, `v` is put aside to be scanned again.
     fn scan(
         &mut self,
         matching: &Matching,
@@ -178,7 +180,7 @@ mod tests {
     use super::*;
     use crate::random::Random;
 
-    /// A random graph of maximum degree 3.
+    /// Makes a random graph of maximum degree 3.
     fn random_graph(nodes: u32, wishes: u32, random: &mut Random) -> DualGraph {
         let mut degree = vec![0; nodes as usize];
         let mut edges = Vec::new();

@@ -1,7 +1,7 @@
 //! Second stage: augmenting paths until the matching is perfect (Lemos et al., section 3.1).
 //!
-//! Both ways search with the alternating trees of [`matching`](crate::matching). They differ in
-//! where trees start and in what is cleared after a path.
+//! Both kinds of augmentation search with the alternating trees of [`matching`](crate::matching).
+//! They differ in where trees start and in what is cleared after a path.
 
 mod local;
 mod stats;
@@ -10,15 +10,17 @@ mod tarjan;
 use std::ops::ControlFlow;
 
 use crate::dual::{DualGraph, Matching};
+use crate::names::named;
 
 pub use stats::AugmentationStats;
 
-/// How augmenting paths are searched for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// A kind of search for augmenting paths.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Augmentation {
-    /// `local`: ours. The trees of all unpaired triangles grow together and meet half-way; only what
-    /// is visited is touched.
+    /// `local`: ours. The trees of all unpaired triangles grow together and meet half-way. Memory
+    /// is touched only where a tree passes.
+    #[default]
     Local,
     /// `tarjan`: as published. One breadth-first tree at a time, all state set up anew for each
     /// path: Θ(n) a path.
@@ -26,7 +28,7 @@ pub enum Augmentation {
 }
 
 impl Augmentation {
-    /// All ways there are.
+    /// All kinds of augmentation.
     pub const ALL: [Self; 2] = [Self::Local, Self::Tarjan];
 
     /// Returns the name on the command line and in records.
@@ -38,17 +40,27 @@ impl Augmentation {
     }
 }
 
-impl std::fmt::Display for Augmentation {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.id())
-    }
-}
+named!(Augmentation, "augmentation", id);
 
 /// Augments `matching` until no augmenting path is left: a maximum matching of `graph`.
 ///
-/// `on_path` is called after each path and may stop the search there. O(k n α) time for k unpaired
-/// triangles; `local` usually visits little more than their neighbourhoods. 24 bytes a triangle;
-/// with `local` usually only for those that it visits.
+/// `on_path` is called after each path and can stop the search there.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use triquad::{Augmentation, DualGraph, Matching, make_maximum};
+///
+/// let ring = DualGraph::from_edges(6, &[(0, 1), (1, 2), (2, 3), (3, 4), (4, 5), (5, 0)])?;
+/// let none = Matching::empty(ring.len());
+/// let proceed = || ControlFlow::Continue(());
+/// let (matching, stats) = make_maximum(&ring, none, Augmentation::Local, proceed);
+/// assert_eq!((matching.unpaired_count(), stats.paths), (0, 3));
+/// # Ok::<(), triquad::dual::DualGraphError>(())
+/// ```
+///
+/// # Cost
+/// O(k n α) time for k unpaired triangles; `local` usually visits little more than their
+/// neighbourhoods. 24 bytes a triangle; with `local` usually only for those that it visits.
 ///
 /// # Panics
 /// If `matching` is not one of `graph`: in debug builds always, in others if the sizes differ.
@@ -56,14 +68,39 @@ pub fn make_maximum(
     graph: &DualGraph,
     mut matching: Matching,
     augmentation: Augmentation,
-    on_path: &mut dyn FnMut() -> ControlFlow<()>,
+    mut on_path: impl FnMut() -> ControlFlow<()>,
 ) -> (Matching, AugmentationStats) {
     assert_eq!(graph.len(), matching.len(), "the matching of another graph");
     debug_assert!(matching.is_matching_of(graph));
     let stats = match augmentation {
-        Augmentation::Local => local::augment(graph, &mut matching, on_path),
-        Augmentation::Tarjan => tarjan::augment(graph, &mut matching, on_path),
+        Augmentation::Local => local::augment(graph, &mut matching, &mut on_path),
+        Augmentation::Tarjan => tarjan::augment(graph, &mut matching, &mut on_path),
     };
     debug_assert!(matching.is_matching_of(graph));
     (matching, stats)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn augmentations_are_read_back_as_they_are_written() {
+        for augmentation in Augmentation::ALL {
+            assert_eq!(augmentation.to_string().parse(), Ok(augmentation));
+        }
+        let refusal = "global".parse::<Augmentation>().unwrap_err();
+        let expected = "\"global\" is no augmentation; use one of: local, tarjan";
+        assert_eq!(refusal.to_string(), expected);
+    }
+
+    #[cfg(feature = "serde")]
+    #[test]
+    fn augmentations_are_their_names_in_json() {
+        assert_eq!(serde_json::to_string(&Augmentation::Tarjan).unwrap(), "\"tarjan\"");
+        assert_eq!(
+            serde_json::from_str::<Augmentation>("\"local\"").unwrap(),
+            Augmentation::default()
+        );
+    }
 }

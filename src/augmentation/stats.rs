@@ -1,7 +1,8 @@
 //! Counts of an augmentation.
 
 /// Counts of one augmentation.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct AugmentationStats {
     /// Number of augmenting paths.

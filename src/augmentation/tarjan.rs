@@ -1,5 +1,7 @@
-//! Augmentation as published (Lemos et al., section 3.1, after Tarjan): for each path one
-//! breadth-first alternating tree from one unpaired triangle, all state set up anew.
+//! Augmentation as published (Lemos et al., section 3.1, after Tarjan).
+//!
+//! For each path one breadth-first alternating tree grows from one unpaired triangle, with all
+//! state set up anew.
 
 use std::ops::ControlFlow;
 

@@ -62,8 +62,8 @@ impl DualGraph {
     /// Parallel edges are allowed.
     ///
     /// # Errors
-    /// There are too many nodes; or the first end, edge by edge, that does not exist, is both ends
-    /// of its edge, or has three edges already.
+    /// There are too many nodes. Else the first end, edge by edge, that does not exist, is both
+    /// ends of its edge, or has three edges already.
     pub fn from_edges(nodes: usize, edges: &[(u32, u32)]) -> Result<Self, DualGraphError> {
         if nodes > MAX_CORNERS / 3 {
             return Err(DualGraphError::TooLarge);

@@ -1,23 +1,23 @@
 //! Alternating trees with blossoms (Edmonds), below pairing and augmentation alike.
 //!
 //! After Tarjan, *Data Structures and Network Algorithms*, chapter 9. A tree grows from an
-//! unpaired triangle, its root, along unmatched and matched edges in turn; triangles at even
+//! unpaired triangle, its root, along unmatched and matched edges in turn. Triangles at even
 //! distance are outer, the others inner. An edge between two outer triangles of one tree closes an
-//! odd cycle, a blossom, which is shrunk into its base, the triangle of the cycle nearest the root:
-//! disjoint sets with path compression say which base a triangle has been shrunk into, and every
-//! inner triangle of the cycle turns outer and remembers the *bridge*, the edge that closed it.
+//! odd cycle, a blossom. It is shrunk into its base, the triangle of the cycle nearest the root.
+//! Disjoint sets with path compression give the base that a triangle has been shrunk into. Every
+//! inner triangle of the cycle turns outer and keeps the *bridge*, the edge that closed it.
 //! Blossoms nest. Paths are read off with an explicit stack, not by recursion.
 
 use crate::dual::{DualGraph, Matching};
 use crate::prefetch::prefetch;
 use crate::triangulation::TriangleId;
 
-/// How a triangle lies in the forest.
+/// The place of a triangle in the forest.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Place {
     /// In no tree.
     Free,
-    /// In the tree of this number, reached only at odd distance from the root; or the tree is fenced.
+    /// In the tree of this number, reached only at odd distance from the root; or that is fenced.
     Inner(TreeId),
     /// In the tree of this number, and reached by a path of even length.
     Outer(TreeId),
@@ -27,19 +27,21 @@ pub(crate) enum Place {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct TreeId(u32);
 
-/// What the forest knows of a triangle. All zero means: in tree 0, which is none, so that fresh
-/// memory needs no initialisation and pages that no search touches are never made resident.
+/// The data of one triangle.
+///
+/// All zero means: in tree 0, which is none. So fresh memory needs no initialisation, and pages
+/// that no search touches are never made resident.
 #[derive(Clone, Copy, Default, bytemuck::Zeroable)]
 struct Node {
     /// The tree that took it in last; when that tree has been felled the rest means nothing.
     tree: u32,
     /// Disjoint sets: its base, or a triangle nearer to it.
     base: u32,
-    /// Its label in the two low bits, above them the time when a search for a common base passed.
+    /// Its label in the two low bits; above them the time at which a search for a base passed.
     label_and_mark: u32,
     /// Not for outer ones: the outer triangle from which it was reached.
     parent: u32,
-    /// Blossomed: the edge that closed the blossom, as triangle and side on its own way of the cycle.
+    /// Blossomed: the bridge, as triangle and side at its own end.
     bridge: u32,
     /// The next triangle in the list of its tree that it stands in.
     next: u32,
@@ -128,14 +130,14 @@ pub(crate) struct Forest {
     nodes: Vec<Node>,
     trees: Vec<Tree>,
     clock: u32,
-    /// How often a triangle entered a tree.
+    /// Triangles that entered a tree, once for every time that they did.
     visited: usize,
     path: Vec<(TriangleId, TriangleId)>,
     segments: Vec<(TriangleId, TriangleId)>,
 }
 
 impl Forest {
-    /// The empty forest over `triangles` triangles; takes memory only as far as it is used.
+    /// Makes an empty forest over `triangles` triangles. Takes memory only where trees grow.
     pub(crate) fn new(triangles: usize) -> Self {
         let nodes = bytemuck::zeroed_vec(triangles);
         let (path, segments) = (Vec::new(), Vec::new());
@@ -153,11 +155,12 @@ impl Forest {
         self.clock = 0;
     }
 
-    /// How often a triangle has entered a tree so far.
+    /// Returns the triangles that entered a tree, once for every time that they did.
     pub(crate) fn visited(&self) -> usize {
         self.visited
     }
 
+    /// Returns the place of `f`.
     #[inline]
     pub(crate) fn place(&self, f: TriangleId) -> Place {
         let node = &self.nodes[f.index()];
@@ -204,13 +207,13 @@ impl Forest {
         self.trees[tree.0 as usize].queue.push(&mut self.nodes, outer.0);
     }
 
-    /// The next triangle of `tree` to be scanned.
+    /// Takes the next triangle of `tree` to be scanned.
     #[inline]
     pub(crate) fn next_to_scan(&mut self, tree: TreeId) -> Option<TriangleId> {
         self.trees[tree.0 as usize].queue.pop(&self.nodes).map(TriangleId)
     }
 
-    /// Has the cache fetch what scanning the next triangle of `tree` will look at.
+    /// Prefetches what scanning the next triangle of `tree` will read.
     #[inline]
     pub(crate) fn prefetch_next(&self, graph: &DualGraph, matching: &Matching, tree: TreeId) {
         let Some(next) = self.trees[tree.0 as usize].queue.first() else { return };
@@ -225,7 +228,7 @@ impl Forest {
         self.trees[tree.0 as usize].barred.push(&mut self.nodes, f.0);
     }
 
-    /// Has the triangles of `tree` that were put aside scanned once more.
+    /// Queues the triangles of `tree` that were put aside.
     pub(crate) fn retry_barred(&mut self, tree: TreeId) {
         let tree = &mut self.trees[tree.0 as usize];
         tree.queue.append(&mut self.nodes, &mut tree.barred);
@@ -246,12 +249,12 @@ impl Forest {
         self.trees[tree.0 as usize].fate = Fate::Fenced;
     }
 
-    /// Whether `tree` has been neither felled nor fenced.
+    /// Returns whether `tree` has been neither felled nor fenced.
     pub(crate) fn stands(&self, tree: TreeId) -> bool {
         self.trees[tree.0 as usize].fate == Fate::Standing
     }
 
-    /// The base of the outermost blossom around `f`, or `f` itself.
+    /// Returns the base of the outermost blossom around `f`, or `f` itself.
     #[inline]
     fn base(&mut self, f: TriangleId) -> TriangleId {
         let mut at = f.0;
@@ -267,9 +270,10 @@ impl Forest {
         }
     }
 
-    /// Shrinks the blossom that the edge across side `side` of the outer triangle `x` closes with the
-    /// outer triangle `y` of the same tree, unless one blossom holds both already. Inner triangles of
-    /// the cycle turn outer and are to be scanned.
+    /// Shrinks the blossom that an edge closes between the outer triangles `x` and `y` of `tree`.
+    ///
+    /// The edge is side `side` of `x`. Inner triangles of the cycle turn outer and are queued. If
+    /// one blossom holds both triangles already, nothing changes.
     #[inline]
     pub(crate) fn shrink(
         &mut self,
@@ -304,8 +308,9 @@ impl Forest {
         }
     }
 
-    /// The base where the ways from `x` and `y` to their root meet. Both ways are walked in turn, so
-    /// that no more is walked than twice what is shrunk afterwards.
+    /// Returns the base where the ways from `x` and `y` to their root meet.
+    ///
+    /// Both ways are walked in turn: at most twice as much is walked as is shrunk afterwards.
     fn common_base(&mut self, matching: &Matching, x: TriangleId, y: TriangleId) -> TriangleId {
         self.tick();
         let mut here = self.base(x);
@@ -336,9 +341,10 @@ impl Forest {
         self.clock += 1;
     }
 
-    /// Augments `matching` along the path that the edge `x` - `y` completes: from `x` back to its
-    /// root, and from `y` back to its root or, if `y` is in no tree, ending there. Returns the
-    /// path's length in edges.
+    /// Augments `matching` along the path that the edge `x` - `y` completes.
+    ///
+    /// It leads from `x` back to its root and from `y` back to its root. If `y` is in no tree, the
+    /// path ends there. Returns the length of the path in edges.
     pub(crate) fn augment(
         &mut self,
         graph: &DualGraph,
@@ -358,9 +364,10 @@ impl Forest {
         2 * self.path.len() - 1
     }
 
-    /// Collects the unmatched edges of the even alternating path from the outer triangle `from` to its
-    /// root. Where the path runs round a blossom, the part between the bridge and the triangle is
-    /// another such path, put on a stack; the order of the edges does not matter.
+    /// Collects the unmatched edges of the even alternating path from `from` to its root.
+    ///
+    /// `from` is outer. Where the path runs round a blossom, the part between the bridge and the
+    /// triangle is another such path, put on a stack. The order of the edges does not matter.
     fn collect_way_to_root(
         &mut self,
         graph: &DualGraph,

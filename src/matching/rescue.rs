@@ -11,12 +11,12 @@ pub(crate) struct Rescue {
 }
 
 impl Rescue {
-    /// Prepares rescues among `triangles` triangles. Memory is taken only as far as it is used.
+    /// Prepares rescues among `triangles` triangles. Memory is taken only where a search passes.
     pub(crate) fn new(triangles: usize) -> Self {
         Self { forest: Forest::new(triangles) }
     }
 
-    /// Pairs the unpaired triangle `f` by an augmenting path to the nearest other unpaired triangle.
+    /// Pairs the unpaired triangle `f` by an augmenting path to the nearest unpaired one.
     ///
     /// Returns that triangle, or none if the search would visit more than `limit` triangles.
     pub(crate) fn pair(

@@ -12,10 +12,10 @@ pub(crate) struct Augmented {
     pub(crate) end: TriangleId,
 }
 
-/// Grows a tree from the unpaired triangle `root` until it reaches another unpaired triangle, and
-/// augments along the path; or until there is nowhere to go or `limit` triangles have been visited.
+/// Grows a tree from the unpaired triangle `root` to another one and augments along the path.
 ///
-/// The tree is felled afterwards. O(α) a triangle visited.
+/// Returns none if no such triangle can be reached or `limit` triangles have been visited. The tree
+/// is felled afterwards. O(α) a triangle visited.
 pub(crate) fn augment_from(
     root: TriangleId,
     graph: &DualGraph,

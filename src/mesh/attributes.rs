@@ -31,8 +31,8 @@ impl Attributes {
 
     /// Follows a change of faces.
     ///
-    /// `sources` has the old corner of each new one, `first_new` the first new face of each old one
-    /// and, at its end, the number of new faces.
+    /// `sources` has the old corner of each new one. `first_new` has the first new face of each old
+    /// one and, at its end, the number of new faces.
     pub(super) fn rearrange(&mut self, sources: &[usize], first_new: &[usize]) {
         for indices in [&mut self.corner_texture, &mut self.corner_normal] {
             *indices = indices.gather(sources.iter().copied());

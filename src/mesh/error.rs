@@ -1,9 +1,15 @@
-//! Why a file could not be read or written.
+//! Errors of reading and writing files, with their place.
 
 use std::fmt;
 
-/// Where in a file something is wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A place in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+#[non_exhaustive]
 pub enum Place {
     /// A line of a text file, counted from 1.
     Line(usize),
@@ -23,33 +29,33 @@ impl fmt::Display for Place {
     }
 }
 
-/// Why a mesh file could not be read or written.
+/// A reason why a mesh file could not be read or written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// The operating system refused.
-    #[error("{0}")]
+    /// The operating system reported an error.
+    #[error(transparent)]
     Io(#[from] std::io::Error),
-    /// The name tells no known format.
+    /// The name has no extension of a known format.
     #[error("unknown mesh format '{0}'")]
     UnknownFormat(String),
     /// The format is known but is not written.
     #[error("{0} files are read, not written")]
     ReadOnly(&'static str),
-    /// The text or bytes are not what the format asks for.
+    /// The text or bytes are not as the format demands.
     #[error("{place}: {problem}")]
     Malformed {
-        /// Where.
+        /// The place of the first defect.
         place: Place,
-        /// What was found, and what was expected.
+        /// The defect: what was found, and what was expected.
         problem: String,
     },
     /// The file ends before everything that it announces.
     #[error("{place}: truncated file: {missing}")]
     Truncated {
-        /// Where the file ends.
+        /// The end of the file.
         place: Place,
-        /// What is missing.
+        /// The first thing that is missing.
         missing: String,
     },
     /// More corners than 32-bit half-edge indices can name.
@@ -58,7 +64,7 @@ pub enum MeshError {
 }
 
 impl MeshError {
-    /// What the user can do about it.
+    /// Returns the remedy, as an instruction to the user.
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::Io(_) => "check the path and its permissions",
@@ -69,9 +75,8 @@ impl MeshError {
             Self::TooLarge => "split the mesh into components and convert them one by one",
         }
     }
-}
 
-impl MeshError {
+    /// Makes the error that something is wrong at `place`.
     pub(crate) fn malformed(place: Place, problem: impl Into<String>) -> Self {
         Self::Malformed { place, problem: problem.into() }
     }

@@ -26,7 +26,7 @@ pub struct Faces {
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Shape {
     Uniform(usize),
-    /// Where each face ends in `corners`.
+    /// End of each face in `corners`.
     Mixed(Vec<u32>),
 }
 
@@ -116,6 +116,7 @@ impl Faces {
     }
 
     /// Appends one corner to the face that the next [`Faces::close_face`] will end.
+    #[cfg(feature = "files")]
     #[inline]
     pub(super) fn push_corner(&mut self, vertex: u32) {
         self.corners.push(vertex);

@@ -15,47 +15,51 @@ impl Mesh {
     /// Reads a mesh file; `-` is standard input (OBJ). Gzip is recognised by its first bytes.
     ///
     /// # Errors
-    /// What is wrong, and where in the file.
+    /// The first defect with its place in the file, or an error of the file system.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, MeshError> {
         let path = path.as_ref();
         let format = Format::from_path(path)?;
         if path.as_os_str() == "-" {
-            return Self::read_from(&mut io::stdin().lock(), format);
+            return read_any(&mut io::stdin().lock(), format);
         }
         if path.is_dir() {
             return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder").into());
         }
-        Self::read_from(&mut File::open(path)?, format)
+        read_any(&mut File::open(path)?, format)
     }
 
     /// Reads a mesh from `input`, plain or gzipped.
     ///
     /// # Errors
-    /// What is wrong, and where in the text.
-    pub fn read_from(input: &mut dyn Read, format: Format) -> Result<Self, MeshError> {
-        let mut start = Vec::new();
-        input.take(GZIP.len() as u64).read_to_end(&mut start)?;
-        let mut whole = start.as_slice().chain(input);
-        if start == GZIP {
-            // Room for the decoder to work on, or it would read byte by byte.
-            let mut decoder = MultiGzDecoder::new(BufReader::with_capacity(1 << 16, whole));
-            parse_from(&mut decoder, format).map_err(gzip_error)
-        } else {
-            parse_from(&mut whole, format)
-        }
+    /// The first defect with its place, or an error of `input`.
+    pub fn read_from(mut input: impl Read, format: Format) -> Result<Self, MeshError> {
+        read_any(&mut input, format)
     }
 
     /// Reads a mesh from the content of a file, plain or gzipped.
     ///
     /// # Errors
-    /// What is wrong, and where in `bytes`.
+    /// The first defect with its place.
     pub fn parse(bytes: &[u8], format: Format) -> Result<Self, MeshError> {
-        Self::read_from(&mut &bytes[..], format)
+        read_any(&mut &bytes[..], format)
     }
 }
 
 /// The bytes that every gzip file starts with.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
+
+fn read_any(input: &mut dyn Read, format: Format) -> Result<Mesh, MeshError> {
+    let mut start = Vec::new();
+    input.take(GZIP.len() as u64).read_to_end(&mut start)?;
+    let mut whole = start.as_slice().chain(input);
+    if start == GZIP {
+        // Room for the decoder to work on, or it would read byte by byte.
+        let mut decoder = MultiGzDecoder::new(BufReader::with_capacity(1 << 16, whole));
+        parse_from(&mut decoder, format).map_err(gzip_error)
+    } else {
+        parse_from(&mut whole, format)
+    }
+}
 
 fn gzip_error(error: MeshError) -> MeshError {
     match error {

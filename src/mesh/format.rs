@@ -1,10 +1,11 @@
-//! Which format a file has, by its name.
+//! The formats of files, by their names.
 
 use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
 
 use super::error::MeshError;
+use crate::names::serde_as_string;
 
 /// A mesh file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -21,7 +22,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// Returns the format by the extension of `path`, before `.gz` if it has that; `-` means OBJ.
+    /// Returns the format by the extension of `path`, without a last `.gz`; `-` means OBJ.
     ///
     /// # Errors
     /// [`MeshError::UnknownFormat`] names the extension.
@@ -58,6 +59,7 @@ impl FromStr for Format {
 }
 
 impl fmt::Display for Format {
+    /// Writes the extension.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Obj => "obj",
@@ -65,5 +67,36 @@ impl fmt::Display for Format {
             Self::Off => "off",
             Self::Stl => "stl",
         })
+    }
+}
+
+serde_as_string!(Format);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Format; 4] = [Format::Obj, Format::Ply, Format::Off, Format::Stl];
+
+    #[test]
+    fn formats_are_read_back_as_they_are_written() {
+        for format in ALL {
+            let path = format!("folder.gz/mesh.{}.GZ", format.to_string().to_uppercase());
+            assert_eq!(Format::from_path(path).unwrap(), format);
+            assert_eq!(Format::from_path(format!("mesh.{format}")).unwrap(), format);
+        }
+        for path in ["obj", "mesh.", "mesh.gz", ".obj", "mesh.obj.gz.gz"] {
+            assert!(Format::from_path(path).is_err(), "{path}");
+        }
+    }
+
+    #[cfg(feature = "serde")]
+    #[test]
+    fn formats_are_their_extensions_in_json() {
+        for format in ALL {
+            let json = serde_json::to_string(&format).unwrap();
+            assert_eq!(json, format!("\"{format}\""));
+            assert_eq!(serde_json::from_str::<Format>(&json).unwrap(), format);
+        }
     }
 }

@@ -1,7 +1,8 @@
-//! Mesh files: OBJ, PLY, OFF and STL in, OBJ, PLY and OFF out, each also gzipped (feature `files`).
+//! Meshes, and the files that hold them (feature `files`).
 //!
-//! Readers keep the order of vertices and faces, unreferenced vertices and every f64 value; writers
-//! print values that read back to the same f64. Nothing about the mesh is judged here.
+//! OBJ, PLY, OFF and STL are read, OBJ, PLY and OFF are written, each also gzipped. Readers keep
+//! the order of vertices and faces, unreferenced vertices and every f64 value. Writers print values
+//! that read back to the same f64. Nothing about the mesh is judged here.
 //! Uses [`atomic_file`](crate::atomic_file) alone.
 
 mod attributes;

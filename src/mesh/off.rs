@@ -1,7 +1,7 @@
 //! Object File Format (`.off`) of Geomview, as text and in three dimensions.
 //!
-//! Stricter than Geomview in one thing: every vertex and every face has its own line. That tells
-//! colours from what follows them, and a number that is missing does not shift all others.
+//! Stricter than Geomview in one thing: every vertex and every face has its own line. That
+//! separates colours from what follows them, and a missing number does not shift all others.
 
 use std::io::{self, Write};
 
@@ -16,7 +16,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let announced = read_header_word(&mut tokens)?;
     let vertices = tokens.read("the number of vertices", tokens::count)?;
     let faces = tokens.read("the number of faces", tokens::count)?;
-    tokens.skip_line(); // The number of edges, which nobody counts.
+    tokens.skip_line(); // The number of edges, which is not used.
 
     let mut mesh = Mesh::default();
     if read_positions(&mut tokens, vertices, &mut mesh.positions)? {
@@ -31,7 +31,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     Ok(mesh)
 }
 
-/// Reads `OFF` and the letters before it; returns what they say of the numbers behind coordinates.
+/// Reads `OFF` and the letters before it; returns the names of the numbers behind coordinates.
 fn read_header_word(tokens: &mut Tokens) -> Result<Vec<String>, MeshError> {
     let word = tokens.next_word().ok_or_else(|| tokens::truncated("the header"))?;
     let Some(letters) = memchr::memmem::find(word, b"OFF") else {
@@ -61,7 +61,7 @@ fn refuse_binary(tokens: &mut Tokens) -> Result<(), MeshError> {
     }
 }
 
-/// What every vertex has besides coordinates, by the letters before `OFF`.
+/// Returns the names of what every vertex has besides coordinates, by the letters before `OFF`.
 fn vertex_extra(mut letters: &[u8]) -> Result<Vec<String>, String> {
     let mut extra = Vec::new();
     while !letters.is_empty() {
@@ -139,7 +139,7 @@ pub(super) fn write(out: &mut dyn Write, positions: &[[f64; 3]], faces: &Faces) 
         write_line(out, &mut line)?;
     }
     let mut integer = itoa::Buffer::new();
-    for face in faces.iter() {
+    for face in faces {
         line.clear();
         line.extend_from_slice(integer.format(face.len()).as_bytes());
         line.push(b' ');

@@ -11,7 +11,9 @@ use super::polygon_mesh::Mesh;
 use super::{obj, off, ply};
 use crate::atomic_file::AtomicFile;
 
-/// A mesh file to be written; made before the work starts, so that the work is not in vain.
+/// A mesh file to be written.
+///
+/// To be made before the work starts, so that a wrong name is found before and not after it.
 #[derive(Debug)]
 pub struct Output {
     format: Format,
@@ -21,7 +23,9 @@ pub struct Output {
 }
 
 impl Output {
-    /// Prepares to write a mesh to `path` in the format of its extension; `-` is standard output (OBJ).
+    /// Prepares to write a mesh to `path` in the format of its extension.
+    ///
+    /// `-` is standard output (OBJ).
     ///
     /// # Errors
     /// The format is unknown or is not written, or no file can be made in the folder.
@@ -35,16 +39,16 @@ impl Output {
         Ok(Self { format, gzip: is_gzip(path), file })
     }
 
-    /// Writes `mesh`; the file appears under its name when it is complete.
+    /// Writes `mesh`. The file appears under its name when it is complete.
     ///
     /// # Errors
-    /// Those of the file system; nothing is left behind then.
+    /// Those of the file system. Nothing is left behind then.
     pub fn write(self, mesh: &Mesh) -> Result<(), MeshError> {
         let Some(mut file) = self.file else {
             let mut out = BufWriter::new(io::stdout().lock());
             let written = mesh.write_to(&mut out, self.format).and_then(|()| Ok(out.flush()?));
             return match written {
-                // The reader has seen enough.
+                // A closed pipe is how `head` ends its input.
                 Err(MeshError::Io(error)) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
                 written => written,
             };
@@ -62,9 +66,9 @@ impl Output {
 }
 
 impl Mesh {
-    /// Writes the mesh to `path` in the format of its extension; `-` is standard output (OBJ).
+    /// Writes the mesh to `path` in the format of its extension.
     ///
-    /// The file appears under its name when it is complete.
+    /// `-` is standard output (OBJ). The file appears under its name when it is complete.
     ///
     /// # Errors
     /// The format is unknown or is not written, or those of the file system.
@@ -76,11 +80,11 @@ impl Mesh {
     ///
     /// # Errors
     /// Those of `out`, and [`MeshError::ReadOnly`] for STL.
-    pub fn write_to(&self, out: &mut dyn Write, format: Format) -> Result<(), MeshError> {
+    pub fn write_to(&self, mut out: impl Write, format: Format) -> Result<(), MeshError> {
         match format {
-            Format::Obj => obj::write(out, self)?,
-            Format::Ply => ply::write(out, &self.positions, &self.faces)?,
-            Format::Off => off::write(out, &self.positions, &self.faces)?,
+            Format::Obj => obj::write(&mut out, self)?,
+            Format::Ply => ply::write(&mut out, &self.positions, &self.faces)?,
+            Format::Off => off::write(&mut out, &self.positions, &self.faces)?,
             Format::Stl => return Err(MeshError::ReadOnly("STL")),
         }
         Ok(())

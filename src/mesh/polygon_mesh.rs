@@ -59,17 +59,17 @@ impl Mesh {
         self.attributes.as_deref()
     }
 
-    /// Returns what the file holds and the mesh does not, in words for the user.
+    /// Returns the names of what the file holds and the mesh does not, in words for the user.
     pub fn left_out(&self) -> &[String] {
         &self.left_out
     }
 
-    /// Takes the mesh apart into positions and faces.
+    /// Takes the mesh apart into positions and faces. Attributes are dropped.
     pub fn into_parts(self) -> (Vec<[f64; 3]>, Faces) {
         (self.positions, self.faces)
     }
 
-    /// Replaces the faces. The attributes belong to the old faces and are dropped with them.
+    /// Replaces the faces. The attributes of the old faces are dropped with them.
     #[must_use]
     pub fn with_faces(mut self, faces: Faces) -> Self {
         self.replace_faces(faces);
@@ -100,12 +100,15 @@ impl Mesh {
         Self { attributes: attributes.map(Box::new), ..self }
     }
 
-    /// Returns the position in the file (from 0) of `face`, whatever faces have been cut.
+    /// Returns the position in the file (from 0) of the face that `face` is or was cut from.
     pub fn face_in_file(&self, face: usize) -> usize {
         self.cut_from.get(face).map_or(face, |&original| original as usize)
     }
 
     /// Reverses one face and keeps its first corner first.
+    ///
+    /// # Panics
+    /// If there is no such face.
     pub fn reverse_face(&mut self, face: usize) {
         let range = self.faces.range(face);
         self.faces.corners[range.clone()][1..].reverse();

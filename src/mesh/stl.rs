@@ -1,7 +1,7 @@
 //! Stereolithography (`.stl`), text and binary.
 //!
 //! Triangles have no common vertices in such a file: corners at equal coordinates are made one
-//! vertex. Normals and attribute bytes say nothing that a surface needs and are not read.
+//! vertex. Normals and attribute bytes hold nothing that a surface needs and are not read.
 
 use rustc_hash::FxHashMap;
 
@@ -15,9 +15,9 @@ const TRIANGLE_BYTES: usize = 50;
 
 /// Reads an STL file.
 ///
-/// The word `solid` at the beginning proves nothing, as binary headers may hold it too. A file
-/// is binary if it is as long as a binary file should be, and else if it does not read as text
-/// and has a zero byte, as no text has.
+/// The word `solid` at the beginning proves nothing, as binary headers may hold it too. A file is
+/// binary if it is as long as a binary file should be. It is also binary if it does not read as
+/// text and has a zero byte, as no text has.
 pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let binary = read_binary(bytes);
     if binary.is_ok() || matches!(binary, Err(MeshError::TooLarge)) {

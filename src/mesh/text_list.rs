@@ -59,7 +59,7 @@ impl<T: AsRef<[u8]>> FromIterator<T> for TextList {
 #[derive(Clone, Debug)]
 pub struct TextListIter<'a> {
     bytes: &'a [u8],
-    /// Where the next text begins.
+    /// Beginning of the next text in `bytes`.
     start: usize,
     ends: std::slice::Iter<'a, usize>,
 }

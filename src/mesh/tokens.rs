@@ -4,36 +4,36 @@ use std::fmt::Display;
 
 use super::error::{MeshError, Place};
 
-/// The file ends where `missing` should be.
+/// Makes the error that the file ends where `missing` should be.
 pub(super) fn truncated(missing: impl Display) -> MeshError {
     MeshError::Truncated { place: Place::End, missing: missing.to_string() }
 }
 
-/// Walks over the words of a text, which white space separates.
+/// A text and a position in it. White space separates its words.
 ///
-/// A carriage return is white space like any other, so both kinds of line end are understood.
+/// A carriage return is white space like any other, so both kinds of line end are read.
 pub(super) struct Tokens<'a> {
     bytes: &'a [u8],
     /// First byte behind the current word.
     position: usize,
-    /// First byte of the current word, or where one was looked for in vain.
+    /// First byte of the current word, or of the place where there was none.
     start: usize,
-    /// What begins a comment that runs to the end of its line.
+    /// The byte that begins a comment, which runs to the end of its line.
     comment: Option<u8>,
 }
 
 impl<'a> Tokens<'a> {
-    /// A text without comments.
+    /// Begins a text without comments.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, position: 0, start: 0, comment: None }
     }
 
-    /// A text in which `#` begins a comment.
+    /// Begins a text in which `#` begins a comment.
     pub(super) fn with_comments(bytes: &'a [u8]) -> Self {
         Self { comment: Some(b'#'), ..Self::new(bytes) }
     }
 
-    /// The next word, on whatever line it is.
+    /// Reads the next word, on whatever line it is.
     pub(super) fn next_word(&mut self) -> Option<&'a [u8]> {
         loop {
             let word = self.next_in_line();
@@ -44,7 +44,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The next word of the current line.
+    /// Reads the next word of the current line.
     pub(super) fn next_in_line(&mut self) -> Option<&'a [u8]> {
         let is_blank = |byte: u8| byte.is_ascii_whitespace() && byte != b'\n';
         while self.bytes.get(self.position).copied().is_some_and(is_blank) {
@@ -77,7 +77,7 @@ impl<'a> Tokens<'a> {
         self.position + memchr::memchr(b'\n', rest).unwrap_or(rest.len())
     }
 
-    /// The next word, on whatever line it is, as `parse` understands it.
+    /// Reads the next word, on whatever line it is, by `parse`.
     ///
     /// `expected` names such a word, article included, for the error if there is none.
     #[inline]
@@ -90,7 +90,7 @@ impl<'a> Tokens<'a> {
         parse(word).ok_or_else(|| self.unexpected(expected))
     }
 
-    /// The next word of the current line, as [`Tokens::read`] does it.
+    /// Reads the next word of the current line by `parse`, as [`Tokens::read`] does.
     #[inline]
     pub(super) fn read_in_line<T>(
         &mut self,
@@ -104,7 +104,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The error that the current word is not what was expected.
+    /// Makes the error that the current word is not what was expected.
     #[cold]
     pub(super) fn unexpected(&self, expected: &str) -> MeshError {
         const SHOWN: usize = 40;
@@ -114,35 +114,35 @@ impl<'a> Tokens<'a> {
         self.malformed(format!("'{}{dots}' is not {expected}", shown.escape_debug()))
     }
 
-    /// The error that something is wrong with the line of the current word.
+    /// Makes the error that something is wrong with the line of the current word.
     #[cold]
     pub(super) fn malformed(&self, problem: impl Into<String>) -> MeshError {
         let line = 1 + memchr::memchr_iter(b'\n', &self.bytes[..self.start]).count();
         MeshError::malformed(Place::Line(line), problem)
     }
 
-    /// Where the current word ends, in bytes from the beginning.
+    /// Returns the end of the current word, in bytes from the beginning.
     pub(super) fn position(&self) -> usize {
         self.position
     }
 
-    /// Everything behind the current word.
+    /// Returns everything behind the current word.
     pub(super) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.position..]
     }
 }
 
-/// A number in decimal notation, or an infinity, or NaN.
+/// Parses a number in decimal notation, or an infinity, or NaN.
 pub(super) fn float(word: &[u8]) -> Option<f64> {
     fast_float2::parse(word).ok()
 }
 
-/// A vertex index: an integer from 0 that fits 32 bits.
+/// Parses a vertex index: an integer from 0 that fits 32 bits.
 pub(super) fn index(word: &[u8]) -> Option<u32> {
     count(word)?.try_into().ok()
 }
 
-/// An integer from 0 that fits the address space.
+/// Parses an integer from 0 that fits the address space.
 pub(super) fn count(word: &[u8]) -> Option<usize> {
     let digits = word.strip_prefix(b"+").unwrap_or(word);
     if digits.is_empty() {

@@ -7,7 +7,7 @@ use crate::matching::weighted::{Certificate, CertificateError, DualProblem, veri
 use crate::triangulation::Triangulation;
 
 /// An initial pairing, and the triangulation whose triangles it pairs.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct InitialPairing<'t> {
     /// The input, or another triangulation of the same surface with the same vertices.

@@ -1,13 +1,15 @@
-//! Whether a quad mesh is what it should be, from the two meshes alone.
+//! A check that a quad mesh is what it should be, from the two meshes alone.
 //!
-//! Uses nothing of what built the quads: neither the half-edge structure nor the matching. Around
-//! every vertex the quads and the triangles that start there are looked up in one array over all
-//! vertices, so the check is linear and needs no hashing.
+//! It uses nothing of what built the quads: neither the half-edge structure nor the matching.
+//! Around every vertex, the quads and the triangles that start there are found in one array over
+//! all vertices. So the check is linear and needs no hashing.
 
 use crate::mesh::{Faces, Mesh};
 
-/// What a quad mesh that passed the check looks like.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Counts of a quad mesh that passed the check.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct CheckReport {
     /// Number of quads.
     pub quads: usize,
@@ -19,8 +21,14 @@ pub struct CheckReport {
     pub euler_characteristic: i64,
 }
 
-/// The first thing found that is wrong with a quad mesh. Displayed numbers count from 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+/// The first defect found of a quad mesh. Displayed numbers count from 1, stored ones from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+#[non_exhaustive]
 pub enum Mismatch {
     /// The triangle mesh has a face that is not a triangle, or names a missing vertex.
     #[error("face {} of the triangle mesh is no triangle of existing vertices", .0 + 1)]
@@ -33,8 +41,7 @@ pub enum Mismatch {
         /// Vertices of the triangle mesh.
         triangles: usize,
     },
-    /// The number of vertices of a triangulation is not that of the mesh whose surface it should
-    /// triangulate.
+    /// The triangulation has not as many vertices as the mesh whose surface it should triangulate.
     #[error("the triangulation has {paired} vertices, the triangle mesh {given}")]
     TriangulationVertexCount {
         /// Vertices of the triangulation whose triangles were paired.
@@ -85,11 +92,26 @@ pub enum Mismatch {
     },
 }
 
-/// Checks that `quads` is a quadrangulation of the surface that `triangles` triangulates, on the
-/// same vertices, every quad the union of two triangles.
+/// Checks that `quads` is a quadrangulation of the surface that `triangles` triangulates.
+///
+/// Both must have the same vertices, and every quad must be the union of two triangles.
+///
+/// ```
+/// use triquad::{Mesh, check, mesh::Faces};
+///
+/// let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// let mesh = Mesh::from_triangles(positions, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+/// let quads = mesh.clone().with_faces(Faces::uniform(4, vec![0, 2, 1, 3, 1, 2, 0, 3]));
+/// assert_eq!(check(&quads, &mesh)?.degree_two_vertices, 4);
+///
+/// let twice = mesh.clone().with_faces(Faces::uniform(4, vec![0, 2, 1, 3, 0, 2, 1, 3]));
+/// let mismatch = check(&twice, &mesh).unwrap_err();
+/// assert_eq!(mismatch.to_string(), "edge 1-3 is passed twice in the same direction");
+/// # Ok::<(), triquad::Mismatch>(())
+/// ```
 ///
 /// # Errors
-/// The first thing found wrong.
+/// The first defect found.
 ///
 /// # Cost
 /// O(n) time; about 40 bytes a triangle while it runs.
@@ -102,17 +124,17 @@ pub fn check(quads: &Mesh, triangles: &Mesh) -> Result<CheckReport, Mismatch> {
     check_faces(quads.faces(), triangles.faces(), triangles.positions().len())
 }
 
-/// Whether two meshes of as many vertices have them in the same places.
+/// Checks that two meshes of as many vertices have them in the same places.
 pub(super) fn check_positions(ours: &[[f64; 3]], given: &[[f64; 3]]) -> Result<(), Mismatch> {
     let bits = |position: &[f64; 3]| position.map(f64::to_bits);
     let moved = (0..ours.len()).find(|&v| bits(&ours[v]) != bits(&given[v]));
     moved.map_or(Ok(()), |v| Err(Mismatch::Moved(v)))
 }
 
-/// Like [`check`], for meshes over the same `vertices` positions.
+/// Checks like [`check`], for meshes over the same `vertices` positions.
 ///
 /// # Errors
-/// The first thing found wrong.
+/// The first defect found.
 pub(crate) fn check_faces(
     quads: &Faces,
     triangles: &Faces,
@@ -147,7 +169,8 @@ pub(crate) fn check_faces(
 
 const NONE: u32 = u32::MAX;
 
-/// The first face that has not `arity` corners below `vertices`.
+/// Checks that all faces have `arity` corners below `vertices`; the error is the first that has
+/// not.
 pub(super) fn require_arity(faces: &Faces, arity: usize, vertices: usize) -> Result<(), usize> {
     let sound = |face: &[u32]| face.len() == arity && face.iter().all(|&v| (v as usize) < vertices);
     match faces.iter().position(|face| !sound(face)) {
@@ -183,18 +206,18 @@ impl<'m> Corners<'m> {
         self.starts[v as usize] as usize..self.starts[v as usize + 1] as usize
     }
 
-    /// The corner `steps` further round the same face.
+    /// Returns the corner `steps` further round the same face.
     fn turn(&self, corner: u32, steps: u32) -> u32 {
         let first = corner - corner % self.arity;
         first + (corner - first + steps) % self.arity
     }
 
-    /// The vertex that the side starting at `corner` leads to.
+    /// Returns the vertex that the side starting at `corner` leads to.
     fn head(&self, corner: u32) -> u32 {
         self.vertex[self.turn(corner, 1) as usize]
     }
 
-    /// The vertex from which the side before `corner` comes.
+    /// Returns the vertex from which the side before `corner` comes.
     fn tail(&self, corner: u32) -> u32 {
         self.vertex[self.turn(corner, self.arity - 1) as usize]
     }
@@ -212,7 +235,7 @@ impl<'m> Corners<'m> {
         Ok(())
     }
 
-    /// The corner at `v`, whose star was the last entered, with the side that leads to `head`.
+    /// Returns the corner at `v` whose side leads to `head`; the star of `v` was the last entered.
     fn side(&self, v: u32, head: u32) -> Option<u32> {
         let corner = self.leading_to[head as usize];
         (corner != NONE && self.vertex[corner as usize] == v).then_some(corner)
@@ -261,7 +284,7 @@ impl Check<'_> {
         self.check_one_fan(v)
     }
 
-    /// Turns about `v` from its first quad; all its quads must come up before the first returns.
+    /// Turns about `v` from its first quad; checks that all its quads come before that again.
     fn check_one_fan(&self, v: u32) -> Result<(), Mismatch> {
         let star = self.quads.star(v);
         let Some(&first) = self.quads.at_vertex[star.clone()].first() else { return Ok(()) };
@@ -276,8 +299,10 @@ impl Check<'_> {
         Err(Mismatch::Fans(v as usize))
     }
 
-    /// Each quad must have one triangle inside two sides in a row and another inside the other two;
-    /// both then lie on the diagonal between, in opposite directions. Each triangle is used once.
+    /// Checks that each quad covers two triangles, and each triangle is covered once.
+    ///
+    /// A quad must have one triangle inside two sides in a row and another inside the other two.
+    /// Both then lie on the diagonal between, in opposite directions.
     fn cover_triangles(&self) -> Result<(), Mismatch> {
         let mut covered = vec![false; self.triangles.vertex.len() / 3];
         for (quad, inside) in self.inside.as_chunks::<4>().0.iter().enumerate() {

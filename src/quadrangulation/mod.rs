@@ -21,9 +21,9 @@ pub use sharp_edges::SharpEdges;
 
 /// A quadrangulation of the surface of a triangulation, on the same vertices.
 ///
-/// Made by removing the common edge of each pair of triangles: orientation, vertices and all other
-/// edges are those of the triangulation.
-#[derive(Clone, Debug)]
+/// It arises by removing the common edge of each pair of triangles. Orientation, vertices and all
+/// other edges are those of the triangulation.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quadrangulation {
     /// For each quad, the side of its lower triangle that was removed.
     removed: Vec<HalfEdgeId>,
@@ -54,31 +54,34 @@ impl Quadrangulation {
         &self.removed
     }
 
-    /// Number of quads, half the number of triangles.
+    /// Returns the number of quads, half the number of triangles.
     pub fn len(&self) -> usize {
         self.corners.len()
     }
 
-    /// Whether there is no quad.
+    /// Returns whether there is no quad.
     pub fn is_empty(&self) -> bool {
         self.corners.is_empty()
     }
 
-    /// The corners of all quads, counter-clockwise.
+    /// Returns the corners of all quads, counter-clockwise.
     pub fn quads(&self) -> &[[VertexId; 4]] {
         &self.corners
     }
 
-    /// The faces over the vertices of the triangulation.
+    /// Makes the faces over the vertices of the triangulation. O(n).
     pub fn faces(&self) -> Faces {
         Faces::uniform(4, self.corners.as_flattened().iter().map(|vertex| vertex.0).collect())
     }
 
-    /// What `list` attaches to its corners and faces, carried over to the quads.
+    /// Carries the attributes of `list` over to the quads; `None` if it has none. O(n).
     ///
-    /// `paired` is the triangulation whose triangles were paired, and `input`, if it is another on the
-    /// same vertices, that of `list`. A corner where both triangles meet takes the indices of the lower
-    /// one; a quad belongs to the sections of its lower triangle. O(n).
+    /// `paired` is the triangulation whose triangles were paired, `input` that of `list`: the same,
+    /// or another on the same vertices. A corner where both triangles of a quad meet takes the
+    /// indices of the lower one. A quad belongs to the sections of its lower triangle.
+    ///
+    /// # Panics
+    /// If `paired` is not the triangulation of the quads, or `input` has other vertices.
     pub fn carry_attributes(
         &self,
         paired: &Triangulation,
@@ -104,6 +107,7 @@ impl Quadrangulation {
         })
     }
 
+    /// Moves each section to the first quad whose lower triangle is in it.
     fn carry_sections(&self, given: &[FaceSection]) -> Vec<FaceSection> {
         let quad_at = |face: usize| self.removed.partition_point(|side| (side.0 / 3) < face as u32);
         let carry = |section: &FaceSection| FaceSection {
@@ -114,7 +118,7 @@ impl Quadrangulation {
     }
 }
 
-/// Finds the corners of a triangulation that a corner of another, made from it by flips, may be.
+/// Finds corners of a triangulation for corners of another that was made from it by flips.
 struct CornerFinder<'t> {
     input: &'t Triangulation,
     /// For each vertex some half-edge that leaves it.
@@ -130,7 +134,8 @@ impl<'t> CornerFinder<'t> {
         Self { input, outgoing }
     }
 
-    /// The corner at `vertex` that is `h`, or of the same triangle, or of one beside it, or any.
+    /// Returns the corner at `vertex` that is `h`, or of the same triangle, or of one beside it, or
+    /// any.
     fn find(&self, h: HalfEdgeId, vertex: VertexId) -> HalfEdgeId {
         let own = [h, h.next(), h.prev()];
         let beside = own.map(|side| self.input.twin(side).prev());
@@ -139,13 +144,13 @@ impl<'t> CornerFinder<'t> {
     }
 }
 
-/// The side of `lower` beyond which `upper` lies.
+/// Returns the side of `lower` beyond which `upper` lies.
 fn common_side(triangulation: &Triangulation, lower: TriangleId, upper: TriangleId) -> HalfEdgeId {
     let is_common = |h: &HalfEdgeId| triangulation.twin(*h).triangle() == upper;
     lower.half_edges().into_iter().find(is_common).expect("mates share an edge")
 }
 
-/// The half-edges that leave the corners of the quad made by removing the edge of `side`.
+/// Returns the half-edges that leave the corners of the quad made by removing the edge of `side`.
 ///
 /// ```text
 ///     c              side runs a -> b in triangle abc; its twin b -> a in triangle bad.

@@ -1,14 +1,18 @@
-//! How well quads are shaped: the scaled Jacobian, as in the Verdict library (Stimpson et al., *The
-//! Verdict Geometric Quality Library*, SAND2007-1751), of which no rounding differs between machines.
+//! The shapes of quads: the scaled Jacobian, as in the Verdict library.
+//!
+//! Stimpson et al., *The Verdict Geometric Quality Library*, SAND2007-1751. No rounding differs
+//! between machines.
 
 use crate::mesh::Mesh;
 use crate::vector::{cross, difference, dot};
 
-/// Classes of equal width from -1 to 1 in [`Quality::histogram`].
+/// Number of classes in [`Quality::histogram`], of equal width from -1 to 1.
 pub const CLASSES: usize = 20;
 
 /// The shapes of the quads of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Quality {
     /// The least scaled Jacobian; 0 if there is no quad.
     pub minimum: f64,
@@ -21,7 +25,10 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// Measures all faces of four corners of `mesh`, which must exist. O(n).
+    /// Measures all faces of four corners of `mesh`. O(n).
+    ///
+    /// # Panics
+    /// If such a face names a vertex that does not exist.
     pub fn new(mesh: &Mesh) -> Self {
         let mut histogram = [0; CLASSES];
         let (mut least, mut sum, mut count, mut folded) = (f64::INFINITY, 0.0, 0, 0);
@@ -42,9 +49,10 @@ impl Quality {
     }
 }
 
-/// The least over the corners of the sine of the angle there, as seen along the normal in the
-/// middle: 1 for rectangles, 0 where three corners are on a line, negative where a quad is not
-/// convex. 0 if the quad has no normal or a side no length.
+/// Returns the least sine of the angles at the corners, as seen along the normal in the middle.
+///
+/// 1 for rectangles, 0 where three corners are on a line, negative where a quad is not convex.
+/// It is 0 if the quad has no normal or a side no length.
 #[inline]
 pub fn scaled_jacobian(corners: [[f64; 3]; 4]) -> f64 {
     let [p, q, r, s] = corners;

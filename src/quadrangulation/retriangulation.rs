@@ -1,16 +1,16 @@
-//! Is one triangle mesh another triangulation of the same surface? From the two meshes alone.
+//! A check that one triangle mesh triangulates the same surface as another, from the two alone.
 
 use super::check::{Mismatch, check_positions, require_arity};
 use crate::disjoint_sets::DisjointSets;
 use crate::mesh::{Faces, Mesh};
 
-/// Checks that `triangles` triangulates the surface that `given` does, on the same vertices: each
-/// component has the same vertices and the same number of triangles, so the same genus.
+/// Checks that `triangles` triangulates the surface that `given` does, on the same vertices.
 ///
-/// Both must be triangulations, see [`Triangulation::build`](crate::Triangulation::build).
+/// Each component must have the same vertices and the same number of triangles, so the same genus.
+/// Both meshes must be triangulations, see [`Triangulation::build`](crate::Triangulation::build).
 ///
 /// # Errors
-/// The first thing found that differs.
+/// The first difference found.
 ///
 /// # Cost
 /// O(n log n), linear in practice; 26 bytes a vertex.
@@ -23,10 +23,10 @@ pub fn check_retriangulation(triangles: &Mesh, given: &Mesh) -> Result<(), Misma
     check_retriangulated_faces(triangles.faces(), given.faces(), given.positions().len())
 }
 
-/// Like [`check_retriangulation`], for meshes over the same `vertices` positions.
+/// Checks like [`check_retriangulation`], for meshes over the same `vertices` positions.
 ///
 /// # Errors
-/// The first thing found that differs.
+/// The first difference found.
 pub(crate) fn check_retriangulated_faces(
     triangles: &Faces,
     given: &Faces,
@@ -62,7 +62,7 @@ impl Components {
     fn of(faces: &Faces, vertices: usize) -> Self {
         let mut sets = DisjointSets::new(vertices);
         let mut used = vec![false; vertices];
-        for face in faces.iter() {
+        for face in faces {
             face.iter().for_each(|&v| used[v as usize] = true);
             face.windows(2).for_each(|side| {
                 sets.join(side[0], side[1]);

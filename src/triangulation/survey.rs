@@ -8,6 +8,9 @@ use crate::disjoint_sets::{DisjointSets, ParitySets};
 use crate::mesh::Mesh;
 
 /// Counts and broken laws of an arbitrary, possibly invalid mesh.
+///
+/// As the error of [`Triangulation::build`](super::Triangulation::build) it has at least one
+/// violation and displays the first one.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

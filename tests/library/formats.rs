@@ -372,7 +372,7 @@ fn ascii_ply(mesh: &Mesh) -> Vec<u8> {
     for [x, y, z] in mesh.positions() {
         writeln!(text, "{x} {y:e} {z}").unwrap();
     }
-    for face in mesh.faces().iter() {
+    for face in mesh.faces() {
         write!(text, "{}", face.len()).unwrap();
         face.iter().for_each(|v| write!(text, " {v}").unwrap());
         text.push('\n');
@@ -383,7 +383,7 @@ fn ascii_ply(mesh: &Mesh) -> Vec<u8> {
 fn big_endian_ply(mesh: &Mesh) -> Vec<u8> {
     let mut bytes = ply_header(mesh, "binary_big_endian").into_bytes();
     bytes.extend(mesh.positions().as_flattened().iter().flat_map(|x| x.to_be_bytes()));
-    for face in mesh.faces().iter() {
+    for face in mesh.faces() {
         bytes.push(face.len() as u8);
         bytes.extend(face.iter().flat_map(|v| v.to_be_bytes()));
     }
@@ -392,7 +392,7 @@ fn big_endian_ply(mesh: &Mesh) -> Vec<u8> {
 
 fn ascii_stl(mesh: &Mesh) -> Vec<u8> {
     let mut text = String::from("solid thing\n");
-    for face in mesh.faces().iter() {
+    for face in mesh.faces() {
         text += "  facet normal 0 0 0\n    outer loop\n";
         for [x, y, z] in face.iter().map(|&v| mesh.positions()[v as usize]) {
             writeln!(text, "      vertex {x:e} {y} {z:e}").unwrap();
@@ -405,7 +405,7 @@ fn ascii_stl(mesh: &Mesh) -> Vec<u8> {
 fn binary_stl(mesh: &Mesh) -> Vec<u8> {
     let mut bytes = vec![b' '; 80];
     bytes.extend((mesh.faces().len() as u32).to_le_bytes());
-    for face in mesh.faces().iter() {
+    for face in mesh.faces() {
         bytes.extend([0; 12]);
         let coordinates = face.iter().flat_map(|&v| mesh.positions()[v as usize]);
         bytes.extend(coordinates.flat_map(|x| (x as f32).to_le_bytes()));
@@ -418,7 +418,7 @@ fn binary_stl(mesh: &Mesh) -> Vec<u8> {
 fn in_order_of_occurrence(mesh: &Mesh) -> Mesh {
     let mut number = vec![None; mesh.positions().len()];
     let (mut positions, mut faces) = (Vec::new(), Faces::default());
-    for face in mesh.faces().iter() {
+    for face in mesh.faces() {
         let corners = face.iter().map(|&v| {
             *number[v as usize].get_or_insert_with(|| {
                 positions.push(mesh.positions()[v as usize]);
@@ -562,7 +562,7 @@ impl Shown {
 
 fn shown_by_us(mesh: &Mesh) -> Shown {
     let mut shown = Shown::default();
-    for face in mesh.faces().iter() {
+    for face in mesh.faces() {
         shown.push(face.iter().map(|&v| &mesh.positions()[v as usize]));
     }
     shown

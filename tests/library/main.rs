@@ -1,5 +1,6 @@
 //! Tests of the library through its public items, in one program.
 
+mod auto_traits;
 mod common;
 mod conformance;
 mod contraction;

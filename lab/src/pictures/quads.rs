@@ -97,7 +97,7 @@ impl<'a> QuadScene<'a> {
 /// Returns the edges of all faces, each once, sorted.
 fn edges(mesh: &Mesh) -> Vec<[u32; 2]> {
     let mut edges = Vec::with_capacity(mesh.faces().corners().len());
-    for face in mesh.faces().iter() {
+    for face in mesh.faces() {
         for (i, &from) in face.iter().enumerate() {
             let to = face[if i + 1 == face.len() { 0 } else { i + 1 }];
             edges.push([from.min(to), from.max(to)]);

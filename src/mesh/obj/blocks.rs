@@ -14,7 +14,7 @@ pub(super) struct Blocks {
     /// Length of the last block given out, at the front of `buffer`.
     given: usize,
     lines_given: usize,
-    /// Where in the block line breaks have been replaced to join lines.
+    /// Positions in the block of line breaks that were replaced to join lines.
     joined: Vec<usize>,
 }
 
@@ -26,7 +26,7 @@ pub(super) struct Block<'b> {
 }
 
 impl Block<'_> {
-    /// The number in the file of the line at `position`.
+    /// Returns the number in the file of the line at `position`.
     pub(super) fn line_at(&self, position: usize) -> usize {
         let breaks = memchr::memchr_iter(b'\n', &self.text[..position]).count();
         let joined = self.joined.iter().filter(|&&at| at < position).count();
@@ -35,6 +35,7 @@ impl Block<'_> {
 }
 
 impl Blocks {
+    /// Reads the next block, or none at the end.
     pub(super) fn next(&mut self, input: &mut dyn Read) -> Result<Option<Block<'_>>, MeshError> {
         self.drop_given();
         let mut end;
@@ -82,14 +83,15 @@ impl Blocks {
     }
 }
 
-/// Whether the line of `text` around `at` is a comment, which a backslash does not continue: it may
-/// be the end of a folder's name.
+/// Returns whether the line of `text` around `at` is a comment.
+///
+/// A backslash does not continue that: it may be the end of a folder's name.
 fn is_in_comment(text: &[u8], at: usize) -> bool {
     let start = memchr::memrchr(b'\n', &text[..at]).map_or(0, |newline| newline + 1);
     text[start..at].trim_ascii_start().starts_with(b"#")
 }
 
-/// Where the last line ends that is whole and not continued; 0 if none does.
+/// Returns the end of the last line that is whole and not continued; 0 if there is none.
 fn end_of_whole_lines(text: &[u8]) -> usize {
     let mut end = text.len();
     while let Some(at) = memchr::memrchr(b'\n', &text[..end]) {

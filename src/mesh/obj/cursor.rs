@@ -2,7 +2,7 @@
 
 use crate::mesh::error::{MeshError, Place};
 
-/// What is wrong with a line. Boxed, so that results fit in registers where nothing is wrong.
+/// A defect of a line. Boxed, so that results without one fit in registers.
 pub(super) struct Fault(Box<Problem>);
 
 enum Problem {
@@ -37,13 +37,13 @@ impl From<&str> for Fault {
     }
 }
 
-/// What is left of the text.
+/// The unread rest of the text.
 pub(super) struct Cursor<'t> {
     pub(super) rest: &'t [u8],
 }
 
 impl<'t> Cursor<'t> {
-    /// Some programs begin a UTF-8 text so; left there, it would hide the first keyword.
+    /// Skips the mark with which some programs begin a UTF-8 text: it would hide the first keyword.
     pub(super) fn skip_byte_order_mark(&mut self) {
         self.rest = self.rest.strip_prefix(b"\xef\xbb\xbf").unwrap_or(self.rest);
     }
@@ -55,13 +55,13 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// Whether only a comment is left of the line, or nothing.
+    /// Returns whether only a comment is left of the line, or nothing.
     #[inline]
     pub(super) fn at_end(&self) -> bool {
         matches!(self.rest, [] | [b'\n' | b'#', ..])
     }
 
-    /// What is left of the line.
+    /// Returns what is left of the line.
     pub(super) fn line(&self) -> &'t [u8] {
         &self.rest[..memchr::memchr(b'\n', self.rest).unwrap_or(self.rest.len())]
     }
@@ -108,7 +108,7 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// A whole number of at most ten digits, with or without a sign.
+    /// Reads a whole number of at most ten digits, with or without a minus sign.
     #[inline]
     pub(super) fn integer(&mut self) -> Result<i64, Fault> {
         let start = self.rest;
@@ -129,8 +129,8 @@ impl<'t> Cursor<'t> {
     }
 }
 
-/// The value and number of the digits among the first eight bytes up to the first other one, all
-/// eight at once; none if there are fewer than eight bytes.
+/// Returns the value and number of the digits among the first eight bytes, up to the first other
+/// byte. All eight are handled at once; there are none if the text is shorter.
 #[inline]
 pub(super) fn leading_digits(text: &[u8]) -> (i64, usize) {
     let Some(&bytes) = text.first_chunk::<8>() else { return (0, 0) };
@@ -149,7 +149,7 @@ pub(super) fn leading_digits(text: &[u8]) -> (i64, usize) {
     (i64::from((fours.wrapping_mul(10_000) + (fours >> 32)) as u32), digits)
 }
 
-/// The first word of `text`, shortened, for messages.
+/// Returns the first word of `text`, shortened, for messages.
 fn word(text: &[u8]) -> String {
     let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
     String::from_utf8_lossy(&text[..end.min(40)]).into_owned()

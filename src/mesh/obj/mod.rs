@@ -1,8 +1,8 @@
 //! Wavefront OBJ.
 //!
-//! Reads `v`, `vt`, `vn` and `f` in all their forms, negative indices, continued lines, CRLF; keeps
-//! objects, groups, smoothing groups and materials as the lines they are. Everything else is skipped.
-//! Four million triangles take a fraction of a second: this is what users wait for.
+//! Reads `v`, `vt`, `vn` and `f` in all their forms, negative indices, continued lines and CRLF.
+//! Objects, groups, smoothing groups and materials are kept as lines; everything else is skipped.
+//! Reading is most of what users wait for, so numbers are parsed in place and in blocks.
 
 mod blocks;
 mod cursor;
@@ -22,7 +22,7 @@ use super::polygon_mesh::Mesh;
 /// Reads an OBJ file, a block at a time: the text is never held as a whole.
 ///
 /// # Errors
-/// The line and what is wrong there, or what `input` complains of.
+/// The first defect with its line, or an error of `input`.
 pub(super) fn read(input: &mut dyn Read) -> Result<Mesh, MeshError> {
     let mut parser = Parser::default();
     let mut blocks = Blocks::default();
@@ -45,7 +45,7 @@ pub(super) fn read(input: &mut dyn Read) -> Result<Mesh, MeshError> {
     parser.finish()
 }
 
-/// Whether `text` has carriage returns inside and no line breaks.
+/// Returns whether `text` has carriage returns inside and no line breaks.
 fn has_lone_returns(text: &[u8]) -> bool {
     let first_return = memchr::memchr(b'\r', text);
     first_return.is_some_and(|at| at + 1 < text.len()) && memchr::memchr(b'\n', text).is_none()
@@ -113,7 +113,7 @@ impl Parser {
         Ok(())
     }
 
-    /// One corner: `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    /// Reads one corner: `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     fn corner(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         let vertex = resolve(cursor.integer()?, self.list.positions.len(), "vertex")?;
         let corner = self.list.faces.corners().len();
@@ -136,8 +136,7 @@ impl Parser {
         cursor.end_of_word()
     }
 
-    /// Keeps texture coordinates and normals, and the lines that say what the faces after them belong
-    /// to.
+    /// Keeps texture coordinates, normals, and lines that name the group of the faces after them.
     fn other(&mut self, line: &[u8]) {
         let end = line.iter().position(u8::is_ascii_whitespace).unwrap_or(line.len());
         let (keyword, value) = line.split_at(end);
@@ -184,7 +183,7 @@ impl Parser {
     }
 }
 
-/// The index from 0 that `index` means when `count` elements have been given so far.
+/// Returns the index from 0 that `index` means when `count` elements have been given so far.
 fn resolve(index: i64, count: usize, kind: &str) -> Result<u32, Fault> {
     let from_zero = match index {
         0 => return Err(format!("{kind} index 0: indices start at 1").into()),
@@ -197,7 +196,7 @@ fn resolve(index: i64, count: usize, kind: &str) -> Result<u32, Fault> {
     }
 }
 
-/// Whether no more letters follow: the keyword before `rest` is whole.
+/// Returns whether the keyword before `rest` is whole: no more letters follow.
 fn ends_word(rest: &[u8]) -> bool {
     matches!(rest, [] | [b' ' | b'\t' | b'\r' | b'\n', ..])
 }
@@ -311,7 +310,8 @@ mod tests {
     #[test]
     fn attributes_survive_a_round_trip() {
         let text = format!(
-            "mtllib a.mtl\n{POINTS}o box\ng left side\nusemtl red\nf 1/1/1 2/2/1 3/3/1\ns off\nf 3 2 1\nf 1//1 2//1 3//1\n"
+            "mtllib a.mtl\n{POINTS}o box\ng left side\nusemtl red\nf 1/1/1 2/2/1 3/3/1\n\
+             s off\nf 3 2 1\nf 1//1 2//1 3//1\n"
         );
         let list = read(text.as_bytes()).unwrap();
         let mut written = Vec::new();

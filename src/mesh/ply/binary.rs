@@ -18,7 +18,7 @@ impl<'a, const BIG_ENDIAN: bool> Binary<'a, BIG_ENDIAN> {
         Self { bytes, position }
     }
 
-    /// The next `N` bytes, the least significant first.
+    /// Takes the next `N` bytes and returns them with the least significant first.
     #[inline]
     fn take<const N: usize>(&mut self) -> Result<[u8; N], MeshError> {
         let rest = &self.bytes[self.position..];
@@ -35,7 +35,7 @@ impl<'a, const BIG_ENDIAN: bool> Binary<'a, BIG_ENDIAN> {
         value
     }
 
-    /// The next value; 64-bit floating point numbers hold all of them exactly.
+    /// Reads the next value. 64-bit floating point numbers hold all of them exactly.
     #[inline]
     fn value(&mut self, kind: Scalar) -> Result<f64, MeshError> {
         Ok(match kind {
@@ -50,7 +50,7 @@ impl<'a, const BIG_ENDIAN: bool> Binary<'a, BIG_ENDIAN> {
         })
     }
 
-    /// Reads up to `count` records of `layout` whose coordinates `decode` understands.
+    /// Reads up to `count` records of `layout`, with coordinates decoded by `decode`.
     fn positions<const N: usize>(
         &mut self,
         count: usize,
@@ -70,7 +70,8 @@ impl<'a, const BIG_ENDIAN: bool> Binary<'a, BIG_ENDIAN> {
         whole
     }
 
-    /// The corners of a face whose number is one byte and that are 4 bytes each, if it is whole.
+    /// Returns the corners of the next face: a count of one byte, then 4 bytes each. None if the
+    /// face is not whole.
     #[inline]
     fn next_corners(&self) -> Option<&'a [[u8; 4]]> {
         let (&arity, rest) = self.bytes[self.position..].split_first()?;

@@ -99,22 +99,23 @@ impl Element {
         Ok(Self { name, count, properties: Vec::new() })
     }
 
-    /// Which coordinate a property of `vertex` is.
+    /// Returns the coordinate that a property of `vertex` is.
     pub(super) fn axis(&self, property: &Property) -> Option<usize> {
         let is_scalar = matches!(property.kind, Kind::Scalar(_));
         let axis = ["x", "y", "z"].iter().position(|axis| *axis == property.name);
         axis.filter(|_| is_scalar && self.name == "vertex")
     }
 
-    /// Whether a property of `face` is the list of corners.
+    /// Returns whether a property of `face` is the list of corners.
     pub(super) fn is_corners(&self, property: &Property) -> bool {
         self.name == "face"
             && matches!(property.kind, Kind::List { .. })
             && ["vertex_indices", "vertex_index"].contains(&property.name.as_str())
     }
 
-    /// The type that all coordinates of a `vertex` have and where they are, if its records are all
-    /// of the same size.
+    /// Returns the common type of the coordinates of a `vertex` and their places in a record.
+    ///
+    /// Returns none unless there is such a type and all records have the same size.
     pub(super) fn layout(&self) -> Option<(Scalar, Layout)> {
         let (mut size, mut coordinates) = (0, [None; 3]);
         for property in &self.properties {
@@ -129,7 +130,7 @@ impl Element {
         (x == y && y == z).then_some((x, layout))
     }
 
-    /// Says what a `vertex` or `face` lacks to be one, or has twice.
+    /// Checks that a `vertex` or `face` has what makes it one, once.
     fn check(&self) -> Result<(), String> {
         let amount = |name: &str, matches: &dyn Fn(&Property) -> bool| match self
             .properties
@@ -150,7 +151,7 @@ impl Element {
         }
     }
 
-    /// Names of what is skipped.
+    /// Returns the names of what is skipped.
     pub(super) fn left_out(&self) -> Vec<String> {
         if self.count == 0 {
             return Vec::new();
@@ -168,7 +169,7 @@ impl Element {
 pub(super) struct Layout {
     /// Bytes of a record.
     pub(super) size: usize,
-    /// Where in a record each coordinate begins.
+    /// Byte of a record at which each coordinate begins.
     pub(super) coordinates: [usize; 3],
 }
 

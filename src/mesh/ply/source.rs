@@ -1,4 +1,4 @@
-//! Where the values of a PLY file come from: text here, bytes in `binary.rs`.
+//! The values of a PLY file: from text here, from bytes in `binary.rs`.
 
 use super::header::{Element, Kind, Scalar};
 use crate::mesh::error::MeshError;
