@@ -36,10 +36,10 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let status = StatusLine::new("reading the meshes");
     let quads = input::read(&arguments.quads)?;
-    let (triangles, _) = input::read_triangulation(&arguments.against, arguments.repairs)?;
+    let triangles = input::read_triangulation(&arguments.against, arguments.repairs)?;
     let paired = match &arguments.triangulation {
         Some(path) => {
-            let (paired, _) = input::read_triangulation(path, arguments.repairs)?;
+            let paired = input::read_triangulation(path, arguments.repairs)?;
             status.say("checking");
             check_retriangulation(&paired, &triangles)
                 .map_err(|mismatch| Failure::no(format!("{}: {mismatch}", path.display())))?;

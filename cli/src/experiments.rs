@@ -29,7 +29,7 @@ pub struct Selection {
     /// Only the I-th of N parts, of which another machine may take another
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     shard: Option<(usize, usize)>,
-    /// Seconds after which a run is stopped, instead of what the experiment says
+    /// Seconds after which a run is stopped, instead of the limit in the experiment file
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u64).range(1..))]
     timeout: Option<u64>,
 }

@@ -13,7 +13,7 @@ use crate::{input, stdio};
 
 /// Tell what a mesh is: counts, genus, components, and every law that it breaks
 ///
-/// Exit code 2 if the mesh is not a triangulation of closed surfaces; everything is still told.
+/// Exit code 2 if the mesh is not a triangulation of closed surfaces; everything is still printed.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad info bunny.obj\n  triquad info scan.stl --json")]
 pub struct Arguments {

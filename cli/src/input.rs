@@ -40,11 +40,11 @@ pub fn left_out_of_triangles(mesh: &Mesh) -> Vec<String> {
     mesh.left_out().iter().cloned().chain(attributes).collect()
 }
 
-/// Reads a mesh and builds its triangulation.
-pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<(Mesh, Triangulation), Failure> {
+/// Reads a mesh that must be a triangulation of closed surfaces, after its repairs.
+pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<Mesh, Failure> {
     let mut mesh = read(path)?;
-    let triangulation = build(path, &mut mesh, repairs)?;
-    Ok((mesh, triangulation))
+    build(path, &mut mesh, repairs)?;
+    Ok(mesh)
 }
 
 /// Builds the triangulation of a mesh read from `path`, after its repairs.

@@ -127,14 +127,11 @@ fn run(verb: Verb) -> Result<(), failure::Failure> {
 
 /// Prints help as it is, and an error in the arguments as one line.
 fn explain_usage(error: &clap::Error) -> ExitCode {
-    if !error.use_stderr() {
+    let without_arguments = error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand;
+    if without_arguments || !error.use_stderr() {
         // A closed pipe is no failure.
         let _ = error.print();
-        return ExitCode::SUCCESS;
-    }
-    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        let _ = error.print();
-        return ExitCode::from(2);
+        return ExitCode::from(if without_arguments { 2 } else { 0 });
     }
     let text = error.to_string();
     let first = text.split("\n\n").next().unwrap_or_default();

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use triquad_lab::experiment::estimate::{Estimate, run_seconds};
-use triquad_lab::experiment::plan::{Block, Plan};
+use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 
 use crate::experiments::{Selection, duration, in_words};
 use crate::failure::Failure;
@@ -64,15 +64,11 @@ fn is_first(plan: &Plan, block: &Block) -> bool {
 
 /// Writes the jobs of a block: `10 x sg tarjan, 1 x gw local (first 9 paths)`.
 fn jobs(block: &Block) -> String {
-    let mut jobs: Vec<String> = block
-        .runs
-        .iter()
-        .map(|run| {
-            let stopped = run.stop_after_paths.map(|paths| format!(" (first {paths} paths)"));
-            let stopped = stopped.unwrap_or_default();
-            format!("{} x {}{stopped}", run.repetitions, run.job.name())
-        })
-        .collect();
+    let name = |run: &PlannedRun| {
+        let stopped = run.stop_after_paths.map(|paths| format!(" (first {paths} paths)"));
+        format!("{} x {}{}", run.repetitions, run.job.name(), stopped.unwrap_or_default())
+    };
+    let mut jobs: Vec<String> = block.runs.iter().map(name).collect();
     jobs.sort();
     jobs.join(", ")
 }

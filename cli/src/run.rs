@@ -49,6 +49,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     let failure = |error: io::Error| folder_failure(out, &error);
     let mut journal = Journal::open(out).map_err(failure)?;
+    complain_of_damage(out, &journal);
+    let runner = runner(arguments, &mut journal).map_err(failure)?;
+    let view = RunView::new(out);
+    for mesh in &plan.pictured {
+        let begin = || view.say(&format!("drawing the pictures of {}", mesh.name));
+        pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, begin)
+            .map_err(|error| picture_failure(&mesh.name, &error))?;
+    }
+    runner.execute(&plan, &mut journal, &SystemClock::default(), &view).map_err(failure)?;
+    view.finish(&journal)
+}
+
+/// Prints the damaged rows that were set aside.
+fn complain_of_damage(out: &Path, journal: &Journal) {
     for row in journal.set_aside() {
         stdio::complain(&format!(
             "{}, line {}: {}; moved to damaged.csv, it will run again",
@@ -57,27 +71,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             row.problem
         ));
     }
+}
+
+/// Returns the runner for this machine and notes the machine in the journal.
+fn runner(arguments: &Arguments, journal: &mut Journal) -> io::Result<Runner> {
     let facts = machine::facts();
     let name = machine::name_of(&facts);
-    journal.note_machine(&name, facts).map_err(failure)?;
-    let program = std::env::current_exe().map_err(failure)?;
-    let runner = Runner {
-        program_hash: machine::hash_of_file(&program).map_err(failure)?,
+    journal.note_machine(&name, facts)?;
+    let program = std::env::current_exe()?;
+    Ok(Runner {
+        program_hash: machine::hash_of_file(&program)?,
         program,
         machine: name,
-        workshop: out.join("meshes"),
+        workshop: arguments.out.join("meshes"),
         cache: arguments.cache.folder(),
         jobs: arguments.jobs,
-    };
-    let view = RunView::new(out);
-    let clock = SystemClock::default();
-    for mesh in &plan.pictured {
-        let begin = || view.say(&format!("drawing the pictures of {}", mesh.name));
-        pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, begin)
-            .map_err(|error| picture_failure(&mesh.name, &error))?;
-    }
-    runner.execute(&plan, &mut journal, &clock, &view).map_err(failure)?;
-    view.finish(&journal)
+    })
 }
 
 fn picture_failure(mesh: &str, error: &DrawError) -> Failure {
