@@ -32,7 +32,7 @@ impl Quality {
     pub fn new(mesh: &Mesh) -> Self {
         let mut histogram = [0; CLASSES];
         let (mut least, mut sum, mut count, mut folded) = (f64::INFINITY, 0.0, 0, 0);
-        for face in mesh.faces().iter() {
+        for face in mesh.faces() {
             let Ok(&quad) = <&[u32; 4]>::try_from(face) else { continue };
             let value = scaled_jacobian(quad.map(|v| mesh.positions()[v as usize]));
             let class = ((value + 1.0) * (CLASSES as f64 / 2.0)) as usize;

@@ -47,7 +47,7 @@ impl Catalogue {
     }
 
     fn read(&self, file: &str) -> Mesh {
-        Mesh::read(&self.folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
+        Mesh::read(self.folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
     }
 }
 

@@ -102,7 +102,7 @@ impl Workshop {
     fn put_mesh(&self, name: &str, surface: &Surface) {
         let list = Mesh::from_triangles(surface.positions.clone(), surface.triangles.clone());
         std::fs::create_dir_all(self.path("data")).unwrap();
-        MeshOutput::create(&self.path(name)).unwrap().write(&list).unwrap();
+        MeshOutput::create(self.path(name)).unwrap().write(&list).unwrap();
     }
 }
 

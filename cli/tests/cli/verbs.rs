@@ -42,7 +42,7 @@ impl Workshop {
     }
 
     fn put_mesh(&self, name: &str, mesh: &Mesh) {
-        Output::create(&self.path(name)).unwrap().write(mesh).unwrap();
+        Output::create(self.path(name)).unwrap().write(mesh).unwrap();
     }
 
     fn put_surface(&self, name: &str, surface: &Surface) {
@@ -54,7 +54,7 @@ impl Workshop {
     }
 
     fn mesh(&self, name: &str) -> Mesh {
-        Mesh::read(&self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+        Mesh::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
     /// The names of all files and folders.
@@ -547,8 +547,8 @@ fn mesh_of_all_faults() -> Mesh {
     positions[0][1] = f64::NAN;
     faces.extend([[0, 1, 9999], [1, 1, 2], surface.triangles[0]]);
     faces.push(&[0, 1, 2, 3]);
-    let mesh = Mesh::new(positions, faces);
-    mesh
+
+    Mesh::new(positions, faces)
 }
 
 #[test]

@@ -35,7 +35,7 @@ impl Cache {
             return recipe.make();
         }
         // What cannot be read, damaged perhaps, is made anew.
-        if let Ok(list) = Mesh::read(&self.file(recipe)) {
+        if let Ok(list) = Mesh::read(self.file(recipe)) {
             return Ok(list);
         }
         // Before the work starts, so that it is not in vain.
@@ -57,9 +57,7 @@ impl Cache {
 
     fn open(&self, recipe: &Recipe) -> Result<Output, GenerateError> {
         let folder = std::fs::create_dir_all(&self.folder).map_err(MeshError::from);
-        folder
-            .and_then(|()| Output::create(&self.file(recipe)))
-            .map_err(|error| self.failure(error))
+        folder.and_then(|()| Output::create(self.file(recipe))).map_err(|error| self.failure(error))
     }
 
     fn failure(&self, error: MeshError) -> GenerateError {
