@@ -10,6 +10,7 @@ use triquad::{
 };
 
 use crate::failure::Failure;
+use crate::formats::{may_write, reads};
 use crate::input::{self, Repairs};
 use crate::machine;
 use crate::names::one_of;
@@ -19,44 +20,49 @@ use crate::targets::{Paths, Targets};
 /// Convert a closed triangle mesh into quads on the same vertices
 ///
 /// Every quad is the union of two triangles of the input (of another triangulation for lrs, which
-/// flips edges); no vertex is added, removed or moved, and the result is checked before it is written. Texture coordinates, normals, groups and materials of
-/// an OBJ file are carried over to OBJ output.
+/// flips edges); no vertex is added, removed or moved, and the result is checked before it is
+/// written. Texture coordinates, normals, groups and materials of an OBJ file are carried over to
+/// OBJ output.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad convert bunny.ply.gz -o quads.obj\n  \
                         triquad convert scan.obj --algorithm ps --seed 7 --stats -\n  \
                         cat part.obj | triquad convert - -o - > quads.obj")]
 pub struct Arguments {
-    /// The triangle mesh: .obj .ply .off .stl, each also with .gz; '-' reads OBJ from standard input
-    #[arg(value_name = "IN")]
+    #[arg(value_name = "IN", help = reads("The triangle mesh"))]
     input: PathBuf,
-    /// Where the quads go: .obj .ply .off, each also with .gz; '-' writes OBJ to standard output.
-    /// May be IN itself. Without it nothing is written but the summary
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", help = may_write("Where the quads go"))]
     output: Option<PathBuf>,
-    /// How triangles are paired: best (the best-shaped quads, provably), tq (fastest, without regard
-    /// to shape); of the papers, sg (simple greedy), ps (Pulli-Segal greedy), ds (Diks-Stanczyk), gw
-    /// (Gawrychowski-Wasylkiewicz, the faster of the two); lrs (contraction and expansion) flips edges
-    #[arg(long, default_value = "best", value_name = "NAME", value_parser = one_of(Algorithm::ALL, Algorithm::id))]
+    /// How triangles are paired: best (the best-shaped quads, provably), tq (fastest, without
+    /// regard to shape); of the papers, sg (simple greedy), ps (Pulli-Segal greedy), ds
+    /// (Diks-Stanczyk), gw (Gawrychowski-Wasylkiewicz, the faster of the two); lrs (contraction and
+    /// expansion) flips edges
+    #[arg(long, default_value = "best", value_name = "NAME")]
+    #[arg(value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
-    /// What best minimises the sum of: default (shape, folded quads and sharp edges weighed) or shape
-    /// (10000 times 1 less the scaled Jacobian, rounded)
-    #[arg(long, default_value = "default", value_name = "NAME", value_parser = ["default", "shape"])]
+    /// What best minimises the sum of: default (shape, folded quads and sharp edges weighed) or
+    /// shape (10000 times 1 less the scaled Jacobian, rounded)
+    #[arg(long, default_value = "default", value_name = "NAME")]
+    #[arg(value_parser = ["default", "shape"])]
     cost: String,
-    /// How lrs expands: printed (as published) or few-flips (ours: looks for another pairing before it
-    /// flips an edge)
-    #[arg(long, default_value = "printed", value_name = "NAME", value_parser = one_of(Expansion::ALL, Expansion::id))]
+    /// How lrs expands: printed (as published) or few-flips (ours: looks for another pairing before
+    /// it flips an edge)
+    #[arg(long, default_value = "printed", value_name = "NAME")]
+    #[arg(value_parser = one_of(Expansion::ALL, Expansion::id))]
     lrs_variant: Expansion,
     /// How the pairing is made perfect: local (ours) or tarjan (as published, slow on purpose)
-    #[arg(long, default_value = "local", value_name = "NAME", value_parser = one_of(Augmentation::ALL, Augmentation::id))]
+    #[arg(long, default_value = "local", value_name = "NAME")]
+    #[arg(value_parser = one_of(Augmentation::ALL, Augmentation::id))]
     augmentation: Augmentation,
-    /// Seed of the random choices of sg and ps (the others make none); the same seed gives the same bytes
+    /// Seed of the random choices of sg and ps (the others make none); the same seed gives the same
+    /// bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
     seed: u64,
     /// Write counts and times as JSON to FILE, '-' for standard output
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
     /// Give up after N augmenting paths, for estimates: nothing but counts and times comes of it
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = ["output", "write_triangulation"])]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(conflicts_with_all = ["output", "write_triangulation"])]
     stop_after_paths: Option<u64>,
     /// Write the triangulation whose triangles were paired: that of the input, but for lrs
     #[arg(long, value_name = "FILE")]
@@ -66,6 +72,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
+    /// Returns the algorithm with the variant of lrs.
     fn algorithm(&self) -> Algorithm {
         match self.algorithm {
             Algorithm::Lrs(_) => Algorithm::Lrs(self.lrs_variant),
@@ -78,7 +85,7 @@ impl Arguments {
     }
 }
 
-/// The record of one conversion.
+/// The record of one conversion; times in seconds.
 #[derive(Serialize)]
 struct Stats<'a> {
     schema: &'static str,
@@ -89,20 +96,6 @@ struct Stats<'a> {
     write_seconds: f64,
     peak_memory_bytes: Option<u64>,
     left_out: &'a [String],
-}
-
-impl<'a> Stats<'a> {
-    fn new(input: &Path, report: &'a Report, left_out: &'a [String]) -> Self {
-        Self {
-            schema: "triquad-convert-1",
-            input: input.display().to_string(),
-            report,
-            read_seconds: 0.0,
-            write_seconds: 0.0,
-            peak_memory_bytes: machine::peak_memory_bytes(),
-            left_out,
-        }
-    }
 }
 
 /// Reads, converts, checks, writes.
@@ -129,13 +122,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .orient(arguments.repairs.orient)
         .progress(&mut status)
         .run(mesh);
+    let stats = |report, write_seconds, left_out| Stats {
+        schema: "triquad-convert-1",
+        input: arguments.input.display().to_string(),
+        report,
+        read_seconds,
+        write_seconds,
+        peak_memory_bytes: machine::peak_memory_bytes(),
+        left_out,
+    };
     let quads = match converted {
         Ok(quads) => quads,
         Err(ConvertError::Stopped(report)) => {
             drop(status);
-            let stats = Stats { read_seconds, ..Stats::new(&arguments.input, &report, &[]) };
-            targets.write_stats(&stats)?;
-            return targets.report(&format!("{}: {report}", arguments.input.display()));
+            return targets.finish(&stats(&report, 0.0, &[]), &[], &report.to_string());
         }
         Err(error) => return Err(conversion_failure(&arguments.input, &error)),
     };
@@ -149,11 +149,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         targets.write_triangles(&quads.into_triangle_mesh())?;
     }
     drop(status);
-    let stats = Stats::new(&arguments.input, &report, &left_out);
-    targets.write_stats(&Stats { read_seconds, write_seconds, ..stats })?;
-    // Not before success: a failure is told in one line.
-    input::tell_left_out(&arguments.input, &left_out);
-    targets.report(&summary_line(arguments, &report))
+    let stats = stats(&report, write_seconds, &left_out);
+    targets.finish(&stats, &left_out, &report.to_string())
 }
 
 fn conversion_failure(input: &Path, error: &ConvertError) -> Failure {
@@ -161,12 +158,4 @@ fn conversion_failure(input: &Path, error: &ConvertError) -> Failure {
         ConvertError::Refused(survey) => input::refusal(input, survey),
         _ => Failure::no(format!("{}: {error}", input.display())),
     }
-}
-
-fn summary_line(arguments: &Arguments, report: &Report) -> String {
-    let target = match &arguments.output {
-        Some(path) if path.as_os_str() != "-" => format!(" -> {}", path.display()),
-        _ => String::new(),
-    };
-    format!("{}{target}: {report}", arguments.input.display())
 }

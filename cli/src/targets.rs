@@ -55,7 +55,7 @@ impl<'a> Targets<'a> {
     }
 
     /// Writes the statistics as JSON, if they were asked for.
-    pub fn write_stats(&mut self, stats: &impl Serialize) -> Result<(), Failure> {
+    fn write_stats(&mut self, stats: &impl Serialize) -> Result<(), Failure> {
         let Some(path) = self.paths.stats else { return Ok(()) };
         let json = serde_json::to_string_pretty(stats)
             .map_err(|error| Failure::bad(format!("{}: {error}", path.display())))?;
@@ -85,7 +85,7 @@ impl<'a> Targets<'a> {
     }
 
     /// Prints the summary on standard error if standard output takes a mesh or statistics.
-    pub fn report(&self, line: &str) -> Result<(), Failure> {
+    fn report(&self, line: &str) -> Result<(), Failure> {
         let Paths { output, triangles, stats, .. } = self.paths;
         if [output, triangles, stats].into_iter().flatten().any(is_stdio) {
             stdio::complain(line);
