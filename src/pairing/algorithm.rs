@@ -142,7 +142,7 @@ mod tests {
         let refusal = |name: &str| name.parse::<Algorithm>().unwrap_err().to_string();
         assert_eq!(
             refusal("mst"),
-            "\"mst\" is no pairing algorithm; use one of: tq, sg, ps, ds, gw, lrs"
+            "\"mst\" is no pairing algorithm; use one of: best, tq, sg, ps, ds, gw, lrs"
         );
         assert_eq!(
             refusal("lrs no-flips"),

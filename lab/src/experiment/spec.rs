@@ -278,7 +278,7 @@ mod tests {
         };
         assert!(problem("seed = 1", "seed = -1").starts_with("line 5: "));
         assert!(problem("seed", "sed").contains("unknown field `sed`"));
-        assert_eq!(problem("\"ps\"", "\"xx\""), "\"xx\" is none of tq, sg, ps, ds, gw, lrs");
+        assert_eq!(problem("\"ps\"", "\"xx\""), "\"xx\" is none of best, tq, sg, ps, ds, gw, lrs");
         assert_eq!(problem("few-flips", "none"), "\"none\" is none of printed, few-flips");
         assert_eq!(problem("\"local\"", "\"far\""), "\"far\" is none of local, tarjan");
         let nothing = problem("augmentations = [\"tarjan\", \"local\"]", "orders = [\"file\"]");
