@@ -49,6 +49,21 @@ pub enum DualGraphError {
     OutOfRange(u32),
 }
 
+/// Neighbours across the sides of triangles: what a search reads of a graph.
+///
+/// Algorithms that keep numbers of their own beside the neighbours search in those rows.
+pub(crate) trait Sides {
+    /// Returns the sides as [`DualGraph::sides`] does, with [`TriangleId::NONE`] across a boundary.
+    fn sides_or_none(&self, f: TriangleId) -> [TriangleId; 3];
+}
+
+impl Sides for DualGraph {
+    #[inline]
+    fn sides_or_none(&self, f: TriangleId) -> [TriangleId; 3] {
+        Self::sides_or_none(self, f)
+    }
+}
+
 impl DualGraph {
     /// Returns the dual graph of a triangulation: neighbour `i` lies across side `i`. O(n).
     pub fn new(triangulation: &Triangulation) -> Self {
@@ -109,6 +124,11 @@ impl DualGraph {
     #[inline]
     pub(crate) fn sides_or_none(&self, f: TriangleId) -> [TriangleId; 3] {
         self.sides[f.index()]
+    }
+
+    /// Returns the sides of all triangles in order, [`TriangleId::NONE`] across a boundary.
+    pub(crate) fn all_sides(&self) -> &[[TriangleId; 3]] {
+        &self.sides
     }
 
     /// Iterates over the triangles that share an edge with `f`, in the order of its sides.

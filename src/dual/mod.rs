@@ -3,5 +3,6 @@
 mod graph;
 mod matching;
 
+pub(crate) use graph::Sides;
 pub use graph::{DualGraph, DualGraphError};
 pub use matching::{Matching, PerfectMatching};

@@ -8,7 +8,7 @@
 //! inner triangle of the cycle turns outer and keeps the *bridge*, the edge that closed it.
 //! Blossoms nest. Paths are read off with an explicit stack, not by recursion.
 
-use crate::dual::{DualGraph, Matching};
+use crate::dual::{Matching, Sides};
 use crate::prefetch::prefetch;
 use crate::triangulation::TriangleId;
 
@@ -215,7 +215,7 @@ impl Forest {
 
     /// Prefetches what scanning the next triangle of `tree` will read.
     #[inline]
-    pub(crate) fn prefetch_next(&self, graph: &DualGraph, matching: &Matching, tree: TreeId) {
+    pub(crate) fn prefetch_next(&self, graph: &impl Sides, matching: &Matching, tree: TreeId) {
         let Some(next) = self.trees[tree.0 as usize].queue.first() else { return };
         for w in graph.sides_or_none(TriangleId(next)) {
             prefetch(&self.nodes, w.index());
@@ -277,7 +277,7 @@ impl Forest {
     #[inline]
     pub(crate) fn shrink(
         &mut self,
-        graph: &DualGraph,
+        graph: &impl Sides,
         matching: &Matching,
         tree: TreeId,
         x: TriangleId,
@@ -347,7 +347,7 @@ impl Forest {
     /// path ends there. Returns the length of the path in edges.
     pub(crate) fn augment(
         &mut self,
-        graph: &DualGraph,
+        graph: &impl Sides,
         matching: &mut Matching,
         x: TriangleId,
         y: TriangleId,
@@ -370,7 +370,7 @@ impl Forest {
     /// triangle is another such path, put on a stack. The order of the edges does not matter.
     fn collect_way_to_root(
         &mut self,
-        graph: &DualGraph,
+        graph: &impl Sides,
         matching: &Matching,
         tree: TreeId,
         from: TriangleId,

@@ -2,7 +2,7 @@
 
 use super::forest::Forest;
 use super::single_tree::augment_from;
-use crate::dual::{DualGraph, Matching};
+use crate::dual::{Matching, Sides};
 use crate::triangulation::TriangleId;
 
 /// The search state of all rescues of one pairing.
@@ -21,7 +21,7 @@ impl Rescue {
     /// Returns that triangle, or none if the search would visit more than `limit` triangles.
     pub(crate) fn pair(
         &mut self,
-        graph: &DualGraph,
+        graph: &impl Sides,
         matching: &mut Matching,
         f: TriangleId,
         limit: usize,

@@ -1,7 +1,7 @@
 //! The search for an augmenting path from one unpaired triangle, breadth first.
 
 use super::forest::{Forest, Place};
-use crate::dual::{DualGraph, Matching};
+use crate::dual::{Matching, Sides};
 use crate::triangulation::TriangleId;
 
 /// An augmenting path that has been augmented along.
@@ -18,7 +18,7 @@ pub(crate) struct Augmented {
 /// is felled afterwards. O(α) a triangle visited.
 pub(crate) fn augment_from(
     root: TriangleId,
-    graph: &DualGraph,
+    graph: &impl Sides,
     forest: &mut Forest,
     matching: &mut Matching,
     limit: usize,

@@ -28,7 +28,7 @@ pub fn eager_rescue(graph: &DualGraph) -> Matching {
             continue;
         }
         greedy.leave_alone(f);
-        if let Some(end) = rescue.pair(graph, &mut greedy.matching, f, SEARCH_LIMIT)
+        if let Some(end) = rescue.pair(&greedy.ranked, &mut greedy.matching, f, SEARCH_LIMIT)
             && !greedy.is_done(end)
         {
             greedy.finish(end);

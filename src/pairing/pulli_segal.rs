@@ -64,7 +64,8 @@ impl Time {
 
 /// The pairing so far, and the sets 3, 2 and 1 as queues.
 pub(super) struct Greedy<'g> {
-    ranked: RankedGraph,
+    /// The graph, with the ranks.
+    pub(super) ranked: RankedGraph,
     pub(super) matching: Matching,
     /// Triangles that are not done.
     left: usize,

@@ -1,6 +1,6 @@
 //! The dual graph with a Pulli-Segal rank beside each triangle's neighbours.
 
-use crate::dual::DualGraph;
+use crate::dual::{DualGraph, Sides};
 use crate::prefetch::prefetch;
 use crate::triangulation::TriangleId;
 
@@ -80,7 +80,7 @@ impl RankedGraph {
     /// Copies `graph` and puts every triangle in set 0. O(n).
     pub(super) fn new(graph: &DualGraph) -> Self {
         let rank = Rank::new(Priority::ThreeFree, 0);
-        let rows = graph.triangles().map(|f| Row { sides: graph.sides_or_none(f), rank }).collect();
+        let rows = graph.all_sides().iter().map(|&sides| Row { sides, rank }).collect();
         Self { rows, has_boundary: graph.has_boundary() }
     }
 
@@ -127,5 +127,12 @@ impl RankedGraph {
     #[inline]
     pub(super) fn prefetch_around(&self, f: TriangleId) {
         self.sides(f).into_iter().for_each(|g| prefetch(&self.rows, g.index()));
+    }
+}
+
+impl Sides for RankedGraph {
+    #[inline]
+    fn sides_or_none(&self, f: TriangleId) -> [TriangleId; 3] {
+        self.sides(f)
     }
 }

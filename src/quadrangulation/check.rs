@@ -143,8 +143,8 @@ pub(crate) fn check_faces(
     require_arity(quads, 4, vertices).map_err(Mismatch::NotAQuad)?;
     require_arity(triangles, 3, vertices).map_err(Mismatch::BadTriangle)?;
     let mut check = Check {
-        quads: Corners::gather::<4>(quads.corners(), vertices),
-        triangles: Corners::gather::<3>(triangles.corners(), vertices),
+        quads: Corners::gather(quads.corners(), vertices),
+        triangles: Corners::gather(triangles.corners(), vertices),
         inside: vec![NONE; quads.corners().len()],
         degree_two_vertices: 0,
         used_vertices: 0,
@@ -172,7 +172,11 @@ const NONE: u32 = u32::MAX;
 /// Checks that all faces have `arity` corners below `vertices`; the error is the first that has
 /// not.
 pub(super) fn require_arity(faces: &Faces, arity: usize, vertices: usize) -> Result<(), usize> {
-    let sound = |face: &[u32]| face.len() == arity && face.iter().all(|&v| (v as usize) < vertices);
+    let in_range = |face: &[u32]| face.iter().all(|&v| (v as usize) < vertices);
+    if faces.arity() == Some(arity) && in_range(faces.corners()) {
+        return Ok(());
+    }
+    let sound = |face: &[u32]| face.len() == arity && in_range(face);
     match faces.iter().position(|face| !sound(face)) {
         Some(face) => Err(face),
         None => Ok(()),
@@ -180,17 +184,16 @@ pub(super) fn require_arity(faces: &Faces, arity: usize, vertices: usize) -> Res
 }
 
 /// The corners of faces of equal size, and where each vertex's corners are.
-struct Corners<'m> {
+struct Corners<'m, const ARITY: u32> {
     vertex: &'m [u32],
-    arity: u32,
     starts: Vec<u32>,
     at_vertex: Vec<u32>,
     /// For each vertex w the last corner seen whose side leads to w.
     leading_to: Vec<u32>,
 }
 
-impl<'m> Corners<'m> {
-    fn gather<const ARITY: u32>(vertex: &'m [u32], vertices: usize) -> Self {
+impl<'m, const ARITY: u32> Corners<'m, ARITY> {
+    fn gather(vertex: &'m [u32], vertices: usize) -> Self {
         let mut starts = vec![0u32; vertices + 2];
         vertex.iter().for_each(|&v| starts[v as usize + 2] += 1);
         (2..starts.len()).for_each(|v| starts[v] += starts[v - 1]);
@@ -199,7 +202,7 @@ impl<'m> Corners<'m> {
             at_vertex[starts[v as usize + 1] as usize] = corner as u32;
             starts[v as usize + 1] += 1;
         }
-        Self { vertex, arity: ARITY, starts, at_vertex, leading_to: vec![NONE; vertices] }
+        Self { vertex, starts, at_vertex, leading_to: vec![NONE; vertices] }
     }
 
     fn star(&self, v: u32) -> std::ops::Range<usize> {
@@ -208,8 +211,8 @@ impl<'m> Corners<'m> {
 
     /// Returns the corner `steps` further round the same face.
     fn turn(&self, corner: u32, steps: u32) -> u32 {
-        let first = corner - corner % self.arity;
-        first + (corner - first + steps) % self.arity
+        let first = corner - corner % ARITY;
+        first + (corner - first + steps) % ARITY
     }
 
     /// Returns the vertex that the side starting at `corner` leads to.
@@ -219,7 +222,7 @@ impl<'m> Corners<'m> {
 
     /// Returns the vertex from which the side before `corner` comes.
     fn tail(&self, corner: u32) -> u32 {
-        self.vertex[self.turn(corner, self.arity - 1) as usize]
+        self.vertex[self.turn(corner, ARITY - 1) as usize]
     }
 
     /// Enters the sides that start at `v`; the end of one entered twice is the error.
@@ -243,8 +246,8 @@ impl<'m> Corners<'m> {
 }
 
 struct Check<'m> {
-    quads: Corners<'m>,
-    triangles: Corners<'m>,
+    quads: Corners<'m, 4>,
+    triangles: Corners<'m, 3>,
     /// For each side of a quad, the triangle that lies inside it.
     inside: Vec<u32>,
     degree_two_vertices: usize,
