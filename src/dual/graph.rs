@@ -2,7 +2,7 @@
 
 use crate::mesh::MAX_CORNERS;
 use crate::prefetch::prefetch;
-use crate::triangulation::{Side, TriangleId, Triangulation};
+use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
 
 /// For each triangle its three neighbours, or none across a boundary. 12 bytes a triangle.
 ///
@@ -66,10 +66,10 @@ impl Sides for DualGraph {
 
 impl DualGraph {
     /// Returns the dual graph of a triangulation: neighbour `i` lies across side `i`. O(n).
-    pub fn new(triangulation: &Triangulation) -> Self {
-        let (sides, _) = triangulation.sides().as_chunks::<3>();
-        let across = |sides: &[Side; 3]| sides.map(|side| side.twin.triangle());
-        Self { sides: sides.iter().map(across).collect(), has_boundary: false }
+    pub fn new(surface: &impl Surface) -> Self {
+        let across = |h| surface.across(h).map_or(TriangleId::NONE, HalfEdgeId::triangle);
+        let sides = surface.triangles().map(|f| f.half_edges().map(across)).collect();
+        Self { sides, has_boundary: !surface.is_closed() }
     }
 
     /// Makes a graph of `nodes` nodes with at most three edges each. O(n).

@@ -8,6 +8,7 @@ use std::str::FromStr;
 use super::eager_rescue::eager_rescue;
 use super::initial::InitialPairing;
 use super::lrs::{Expansion, lrs};
+use super::objective::Objective;
 use super::pulli_segal::pulli_segal;
 use super::simple_greedy::simple_greedy;
 use crate::names::{UnknownNameError, find, serde_as_string};
@@ -73,7 +74,8 @@ impl Algorithm {
         match self {
             Self::Best => {
                 let costs = vec![[0; 3]; triangulation.triangle_count()];
-                best(triangulation, costs, &mut |_| ControlFlow::Continue(())).expect(LEGAL)
+                let objective = Objective::perfect(costs);
+                best(triangulation, objective, &mut |_| ControlFlow::Continue(())).expect(LEGAL)
             }
             Self::EagerRescue => InitialPairing::from_input(triangulation, eager_rescue),
             Self::SimpleGreedy => {
