@@ -108,7 +108,7 @@ mod tests {
     #[test]
     fn one_sided_surfaces_with_and_without_boundary_are_joined() {
         for (surface, boundary) in
-            [(classic::projective_plane(), 0), (classic::moebius_strip(7), 7)]
+            [(classic::projective_plane(), 0), (classic::moebius_strip(7), 14)]
         {
             let open = OpenTriangulation::build(&mesh(&surface)).unwrap();
             assert_joined(&open);
