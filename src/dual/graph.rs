@@ -2,6 +2,7 @@
 
 use super::row::Row;
 use crate::mesh::MAX_CORNERS;
+use crate::parallel::collect;
 use crate::prefetch::prefetch;
 use crate::triangulation::{Side, TriangleId, Triangulation};
 
@@ -75,7 +76,7 @@ impl DualGraph {
     pub(crate) fn rows_of(triangulation: &Triangulation, beside: u32) -> Vec<Row> {
         let (sides, _) = triangulation.sides().as_chunks::<3>();
         let across = |sides: &[Side; 3]| sides.map(|side| side.twin.triangle());
-        sides.iter().map(|sides| Row { sides: across(sides), beside }).collect()
+        collect(sides.len(), |f| Row { sides: across(&sides[f]), beside })
     }
 
     /// Makes a graph of its rows; the numbers beside the neighbours lose their meaning.
