@@ -15,3 +15,5 @@ mod open;
 mod real_meshes;
 #[cfg(feature = "files")]
 mod simplify;
+#[cfg(feature = "threads")]
+mod threads;
