@@ -103,6 +103,12 @@ impl<'a> Converter<'a> {
         Self { aims: Aims { cost, ..self.aims }, ..self }
     }
 
+    /// Sets all aims of `best` together: its cost, edges to keep, triangles that may be left.
+    #[must_use]
+    pub fn aims(self, aims: Aims<'a>) -> Self {
+        Self { aims, ..self }
+    }
+
     /// Sets the costs edge by edge, in place of [`Converter::cost`].
     ///
     /// For their order see [`listed_costs`](crate::quadrangulation::listed_costs). With

@@ -3,9 +3,9 @@
 //! Criteria that rank above others are prices that no sum of the others reaches. One minimum-cost
 //! matching then answers all of them, and one certificate proves it.
 
-use crate::dual::DualGraph;
+use crate::dual::{DualGraph, Matching};
 use crate::matching::weighted::{CubicProblem, Edge, NONE, Problem};
-use crate::triangulation::{EdgeSet, TriangleId};
+use crate::triangulation::{EdgeSet, HalfEdgeId, TriangleId};
 
 /// Triangles that a pairing may leave unpaired.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,6 +85,22 @@ impl Objective {
     pub fn problem<'a>(&'a self, dual: &'a DualGraph) -> ObjectiveProblem<'a> {
         assert_eq!(dual.len(), self.costs.len(), "one row of costs a triangle");
         ObjectiveProblem { objective: self, dual, is_locked: self.locks() }
+    }
+
+    /// Returns the sum of the costs of the pairs of `matching`, and of the prices of the triangles
+    /// that it leaves at a price of their own. O(n).
+    ///
+    /// # Panics
+    /// If `dual`, `matching` and the costs differ in the number of triangles.
+    pub fn cost(&self, dual: &DualGraph, matching: &Matching) -> i128 {
+        let cost = |side: HalfEdgeId| self.costs[side.triangle().index()][side.index() % 3];
+        let pairs: i128 = matching.sides(dual).map(|side| i128::from(cost(side))).sum();
+        match self.leftover {
+            Leftover::Priced(price) => {
+                pairs + i128::from(price) * matching.unpaired_count() as i128
+            }
+            Leftover::None | Leftover::Fewest => pairs,
+        }
     }
 
     /// Returns the cost of the edge across each side of each triangle.

@@ -3,7 +3,7 @@
 use super::objective::{Leftover, Objective};
 use crate::dual::{DualGraph, Matching};
 use crate::matching::weighted::{Barrier, Certificate, CertificateError, Solution, verify};
-use crate::triangulation::{HalfEdgeId, TriangleId};
+use crate::triangulation::HalfEdgeId;
 
 /// A proof that a matching is the best by an objective.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,18 +33,12 @@ impl Proof {
         dual: &DualGraph,
         matching: &Matching,
     ) -> Self {
-        let inside = |side: &HalfEdgeId| is_inside(*side, dual, matching);
-        let paired = dual.triangles().flat_map(TriangleId::half_edges).filter(inside);
-        let (mut cost, mut given_up) = (0, Vec::new());
-        for side in paired {
-            cost += i128::from(objective.costs()[side.triangle().index()][side.index() % 3]);
-            if !objective.kept().is_empty() && objective.kept().contains(side) {
-                given_up.push(side);
-            }
-        }
-        if let Leftover::Priced(price) = objective.leftover() {
-            cost += i128::from(price) * matching.unpaired_count() as i128;
-        }
+        let is_kept = |side: &HalfEdgeId| objective.kept().contains(*side);
+        let given_up = match objective.kept().is_empty() {
+            true => Vec::new(),
+            false => matching.sides(dual).filter(is_kept).collect(),
+        };
+        let cost = objective.cost(dual, matching);
         Self { objective, certificate, barrier, cost, given_up }
     }
 
@@ -93,11 +87,4 @@ pub enum ProofError {
     /// The barrier does not show that so many triangles must be left.
     #[error("the barrier does not show that as many triangles as are left must be")]
     Barrier,
-}
-
-/// Returns whether a side is that of a lower triangle towards its mate.
-fn is_inside(side: HalfEdgeId, dual: &DualGraph, matching: &Matching) -> bool {
-    let f = side.triangle();
-    let beyond = dual.sides_or_none(f)[side.index() % 3];
-    f < beyond && matching.mate_or_none(f) == beyond && beyond != TriangleId::NONE
 }
