@@ -1,7 +1,9 @@
 //! Tests of the program `triquad`, as a user calls it.
 
+mod aims;
 mod defective_meshes;
 mod experiments;
+mod open;
 #[path = "../../../lab/tests/lab/records.rs"]
 mod records;
 mod repeatable;
@@ -11,3 +13,4 @@ mod results;
 mod slurm;
 mod surfaces;
 mod verbs;
+mod workshop;
