@@ -6,8 +6,11 @@
 //! Exit codes: 0 done; 1 a check failed; 2 bad input or usage. A failure is one line on standard
 //! error with the file, the place, the law and the remedy.
 
+mod aims;
+mod certificate;
 mod check;
 mod compare;
+mod comparison;
 mod convert;
 mod experiments;
 mod failure;

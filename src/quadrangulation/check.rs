@@ -13,11 +13,13 @@ use crate::mesh::{Faces, Mesh};
 pub struct CheckReport {
     /// Number of quads.
     pub quads: usize,
-    /// Vertices that quads use.
+    /// Number of triangles left over, each one of the triangle mesh.
+    pub triangles: usize,
+    /// Vertices that faces use.
     pub vertices: usize,
-    /// Vertices of degree 2, where two quads share two edges: legal and common.
+    /// Vertices of degree 2 inside the surface, where two faces share two edges: legal and common.
     pub degree_two_vertices: usize,
-    /// Vertices - edges + quads, the same as that of the triangles.
+    /// Vertices - edges + faces, the same as that of the triangles.
     pub euler_characteristic: i64,
 }
 
@@ -55,8 +57,17 @@ pub enum Mismatch {
     /// A face does not have four corners that exist.
     #[error("face {} is no quadrilateral of existing vertices", .0 + 1)]
     NotAQuad(usize),
-    /// A quad has a corner twice.
-    #[error("quad {} repeats a corner", .0 + 1)]
+    /// A face has neither three nor four corners that exist.
+    #[error("face {} is neither a triangle nor a quadrilateral of existing vertices", .0 + 1)]
+    NotATriangleOrQuad(usize),
+    /// A face of three corners is no triangle of the triangle mesh.
+    #[error("face {} is no triangle of the triangle mesh", .0 + 1)]
+    NotATriangle(usize),
+    /// A face is turned against the triangles that it consists of.
+    #[error("face {} is turned against the triangles that it covers", .0 + 1)]
+    Turned(usize),
+    /// A face has a corner twice.
+    #[error("face {} repeats a corner", .0 + 1)]
     RepeatedCorner(usize),
     /// Two faces of one of the meshes pass an edge in the same direction.
     #[error("edge {}-{} is passed twice in the same direction", .0 + 1, .1 + 1)]
@@ -67,11 +78,11 @@ pub enum Mismatch {
     /// A quad is not the union of two triangles across their common edge.
     #[error("quad {} is not two triangles of the triangle mesh joined across an edge", .0 + 1)]
     NotAPair(usize),
-    /// A triangle lies in two quads.
-    #[error("triangle {} lies in two quads", .0 + 1)]
+    /// A triangle lies in two faces.
+    #[error("triangle {} lies in two faces", .0 + 1)]
     TriangleTwice(usize),
-    /// A triangle lies in no quad.
-    #[error("triangle {} lies in no quad", .0 + 1)]
+    /// A triangle lies in no face.
+    #[error("triangle {} lies in no face", .0 + 1)]
     TriangleUnused(usize),
     /// A vertex is used in one mesh only.
     #[error("vertex {} is used in one of the meshes only", .0 + 1)]
@@ -161,6 +172,7 @@ pub(crate) fn check_faces(
     }
     Ok(CheckReport {
         quads: quads.len(),
+        triangles: 0,
         vertices: check.used_vertices,
         degree_two_vertices: check.degree_two_vertices,
         euler_characteristic: of_quads,
