@@ -12,7 +12,7 @@ OUT ?= results/local
 # A folder with meshes of your own: scans of the papers are taken from there, others run too.
 DATA ?=
 # Feature sets of the library that must compile, separated by commas; `none` is none of them.
-FEATURES := none files serde files,serde
+FEATURES := none files serde,threads
 # Crates in the order in which they are published, and the most bytes that one may have.
 PACKAGES := triquad-generators triquad triquad-render triquad-lab triquad-cli
 PACKAGE_BYTES := 1000000

@@ -29,7 +29,9 @@ mod run;
 mod simplify;
 mod stdio;
 mod targets;
+mod threads;
 
+use std::num::NonZeroUsize;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
@@ -52,6 +54,9 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {
+    /// Use N threads, by default one for each core; the results are the same
+    #[arg(long, global = true, value_name = "N", help_heading = "Everywhere")]
+    threads: Option<NonZeroUsize>,
     #[command(subcommand)]
     verb: Verb,
 }
@@ -97,7 +102,10 @@ fn main() -> ExitCode {
     end_with_parent();
     clean_up_when_interrupted();
     let result = match Arguments::try_parse() {
-        Ok(arguments) => run(arguments.verb),
+        Ok(arguments) => {
+            threads::settle(arguments.threads);
+            run(arguments.verb)
+        }
         Err(error) => return explain_usage(&error),
     };
     match result {

@@ -54,6 +54,15 @@ impl<'t> InitialPairing<'t> {
     ) -> Self {
         let dual = DualGraph::new(triangulation);
         let matching = pair(&dual);
+        Self::new(triangulation, dual, matching)
+    }
+
+    /// Makes the pairing of the triangles of `triangulation` by `matching`.
+    pub(super) fn new(
+        triangulation: &'t Triangulation,
+        dual: DualGraph,
+        matching: Matching,
+    ) -> Self {
         debug_assert!(matching.is_matching_of(&dual));
         let triangulation = Cow::Borrowed(triangulation);
         Self { triangulation, dual, matching, edge_flips: 0, proof: None }

@@ -5,6 +5,7 @@
 use std::sync::atomic::{AtomicI32, Ordering};
 
 use super::edge_quad::EdgeQuad;
+use crate::parallel::{collect, map, ranges};
 use crate::prefetch::prefetch;
 use crate::triangulation::{TriangleId, Triangulation};
 
@@ -99,9 +100,12 @@ pub fn edge_costs(
     positions: &[[f64; 3]],
     cost: &(impl Cost + ?Sized),
 ) -> Vec<[i32; 3]> {
-    let rows: Vec<[AtomicI32; 3]> = triangulation.triangles().map(|_| Default::default()).collect();
+    let triangles = triangulation.triangle_count();
+    let rows: Vec<[AtomicI32; 3]> = collect(triangles, |_| Default::default());
     let valuation = Valuation { triangulation, positions, cost, of_side: rows.as_flattened() };
-    triangulation.triangles().for_each(|f| valuation.set_costs(f));
+    map(ranges(triangles), |range| {
+        range.map(TriangleId::new).for_each(|f| valuation.set_costs(f));
+    });
     rows.into_iter().map(|row| row.map(AtomicI32::into_inner)).collect()
 }
 

@@ -14,3 +14,5 @@ mod matching;
 mod real_meshes;
 #[cfg(feature = "files")]
 mod simplify;
+#[cfg(feature = "threads")]
+mod threads;

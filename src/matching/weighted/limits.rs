@@ -12,14 +12,38 @@ pub(super) struct Limits {
     /// The remaining roots grow together as soon as their number times the limit exceeds this many
     /// times the number of nodes.
     pub(super) patience: u32,
+    /// Nodes in a part, at least.
+    pub(super) part: usize,
+    /// Parts that the nodes are divided into, at most.
+    pub(super) parts: usize,
+    /// Trees in a part may visit one node in so many of it; larger ones mostly meet its border.
+    pub(super) share: usize,
 }
 
 impl Limits {
     /// What is fastest on surfaces.
-    pub(super) const DEFAULT: Self = Self { first: 64, factor: 4, single_rounds: 2, patience: 3 };
+    pub(super) const DEFAULT: Self = Self {
+        first: 64,
+        factor: 4,
+        single_rounds: 2,
+        patience: 3,
+        part: 1 << 17,
+        parts: 16,
+        share: 16,
+    };
 
     /// Returns the limit of the round after one with this limit.
     pub(super) fn next(self, limit: usize) -> usize {
         limit.saturating_mul(self.factor)
+    }
+
+    /// Returns how many parts to divide so many nodes into. It does not depend on the machine.
+    pub(super) fn parts(self, nodes: usize) -> usize {
+        (nodes / self.part).clamp(1, self.parts)
+    }
+
+    /// Returns the greatest limit for trees in a part.
+    pub(super) fn most_in_part(self, nodes: usize) -> usize {
+        nodes / self.parts(nodes) / self.share
     }
 }

@@ -65,6 +65,7 @@ mod limits;
 mod nodes;
 mod number;
 mod observer;
+mod parts;
 mod prices;
 mod problem;
 mod queue;

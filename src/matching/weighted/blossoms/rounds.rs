@@ -10,20 +10,30 @@ impl<S: Nodes> Trees<S> {
     /// Pairs every root: free nodes, and one node of every half-integral cycle.
     pub(crate) fn pair_all(
         &mut self,
-        mut roots: Vec<u32>,
+        roots: Vec<u32>,
         limits: Limits,
         observer: &mut Observer,
     ) -> Result<(), Refusal> {
+        self.pair_within(usize::MAX, roots, limits, observer).map(|_| ())
+    }
+
+    /// Pairs roots as long as that takes no limit beyond `most`; returns the others.
+    pub(crate) fn pair_within(
+        &mut self,
+        most: usize,
+        mut roots: Vec<u32>,
+        limits: Limits,
+        observer: &mut Observer,
+    ) -> Result<Vec<u32>, Refusal> {
         let mut limit = limits.first;
-        self.work.blossom_roots = roots.len() as u64;
-        while !roots.is_empty() {
+        while !roots.is_empty() && limit <= most {
             let mut kept = 0;
             for place in 0..roots.len() {
                 let root = roots[place];
                 if observer.stops(Stage::Blossoms, roots.len() - place + kept) {
                     return Err(Refusal::Stopped(self.bound()));
                 }
-                if self.is_free(root) && self.search(root, limit)? == Found::Nothing {
+                if self.is_free(root) && self.search(root, limit)? != Found::Mate {
                     roots[kept] = root;
                     kept += 1;
                 }
@@ -31,7 +41,7 @@ impl<S: Nodes> Trees<S> {
             roots.truncate(kept);
             limit = limits.next(limit);
         }
-        Ok(())
+        Ok(roots)
     }
 
     /// Returns whether a root still needs a mate.

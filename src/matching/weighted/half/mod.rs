@@ -9,6 +9,8 @@ mod forest;
 mod path;
 mod search;
 
+use std::ops::ControlFlow;
+
 use super::limits::Limits;
 use super::nodes::{Label, NONE, Nodes};
 use super::observer::{Observer, Stage};
@@ -16,16 +18,37 @@ use super::refusal::Refusal;
 use super::work::Work;
 use search::{Found, Tree};
 
-/// Pairs all roots or puts them on odd cycles; returns one node of each cycle.
+/// Grows trees of single roots for some rounds; what is left is for [`half_integral`].
+///
+/// Adds a node of every new odd cycle to `cycles`.
+pub(super) fn first_rounds<S: Nodes>(
+    nodes: &mut S,
+    roots: &mut Vec<u32>,
+    cycles: &mut Vec<u32>,
+    limits: Limits,
+    work: &mut Work,
+) -> Result<(), Refusal> {
+    let mut goes_on = |_| ControlFlow::Continue(());
+    let observer = &mut Observer::new(&mut goes_on);
+    let mut limit = limits.first;
+    for _ in 0..limits.single_rounds {
+        grow_each(nodes, roots, cycles, limit, work, observer)?;
+        limit = limits.next(limit);
+    }
+    Ok(())
+}
+
+/// Pairs all roots or puts them on odd cycles.
+///
+/// Returns one node of each cycle, also of those that there were, each with a node in `cycles`.
 pub(super) fn half_integral<S: Nodes>(
     nodes: &mut S,
     mut roots: Vec<u32>,
+    mut cycles: Vec<u32>,
     limits: Limits,
     work: &mut Work,
     observer: &mut Observer,
 ) -> Result<Vec<u32>, Refusal> {
-    work.free_after_start = roots.len() as u64;
-    let mut cycles = Vec::new();
     let mut limit = limits.first;
     let mut round = 0;
     while !roots.is_empty() {
@@ -37,7 +60,6 @@ pub(super) fn half_integral<S: Nodes>(
             break;
         }
         grow_each(nodes, &mut roots, &mut cycles, limit, work, observer)?;
-        roots.retain(|&root| nodes.mate(root) == NONE);
         limit = limits.next(limit);
     }
     Ok(one_of_each(nodes, cycles))
@@ -57,14 +79,15 @@ fn grow_each<S: Nodes>(
     for place in 0..roots.len() {
         let root = roots[place];
         if observer.stops(Stage::HalfIntegral, roots.len() - place + kept) {
-            return Err(Refusal::Stopped(tree.bound()));
+            return Err(Refusal::Stopped(tree.nodes.potential_sum()));
         }
-        if tree.nodes.mate(root) == NONE && tree.grow(root, limit, work)? == Found::Nothing {
+        if tree.nodes.mate(root) == NONE && tree.grow(root, limit, work)? != Found::Mate {
             roots[kept] = root;
             kept += 1;
         }
     }
     roots.truncate(kept);
+    roots.retain(|&root| nodes.mate(root) == NONE);
     Ok(())
 }
 
