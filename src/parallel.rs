@@ -53,3 +53,11 @@ pub(crate) fn collect<T: Send>(length: usize, of: impl Fn(usize) -> T + Sync + S
     }
     (0..length).map(of).collect()
 }
+
+/// Returns the number of threads.
+pub(crate) fn threads() -> usize {
+    #[cfg(feature = "threads")]
+    return rayon::current_num_threads();
+    #[cfg(not(feature = "threads"))]
+    1
+}

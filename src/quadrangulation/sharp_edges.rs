@@ -1,6 +1,9 @@
 //! Sharp edges of a triangulation, and how many of them the quads keep.
 
+use std::ops::Range;
+
 use super::edge_quad::EdgeQuad;
+use crate::parallel::{map, ranges};
 use crate::triangulation::{HalfEdgeId, Surface};
 
 /// Cosine of 30 degrees: an edge is sharp if the normals of its triangles differ by more.
@@ -28,8 +31,11 @@ impl SharpEdges {
             let quad = EdgeQuad::beyond(surface, positions, side);
             quad.is_some_and(|quad| quad.is_bent_beyond(SHARP_COSINE))
         };
-        let all = surface.edges().filter(is_sharp).count();
-        let lost = removed.iter().filter(|side| is_sharp(side)).count();
+        let among = |triangles| surface.edges_of(triangles).filter(is_sharp).count();
+        let all: usize = map(ranges(surface.triangle_count()), among).into_iter().sum();
+        let lost =
+            |quads: Range<usize>| removed[quads].iter().filter(|side| is_sharp(side)).count();
+        let lost: usize = map(ranges(removed.len()), lost).into_iter().sum();
         Self { all, kept: all - lost }
     }
 }

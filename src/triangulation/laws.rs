@@ -75,8 +75,8 @@ impl Law {
         }
     }
 
-    /// Returns the complaint about an element that breaks the law.
-    fn complaint(self) -> &'static str {
+    /// Returns the complaint about an element that breaks the law, a sentence without its subject.
+    pub fn complaint(self) -> &'static str {
         match self {
             Self::NotEmpty => "has no faces",
             Self::NotTooLarge => "has more than 2^31 half-edges or 2^32 - 2 vertices",

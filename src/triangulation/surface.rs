@@ -1,5 +1,7 @@
 //! The common ground of closed and open triangulations: corners, and the sides across edges.
 
+use std::ops::Range;
+
 use super::half_edges::Triangulation;
 use super::ids::{HalfEdgeId, TriangleId, VertexId};
 use super::open::OpenTriangulation;
@@ -44,8 +46,13 @@ pub trait Surface: Sync + sealed::Sealed {
     /// Each edge is given by the lower of its sides. Triangles come in file order, and each begins
     /// at its first corner.
     fn edges(&self) -> impl Iterator<Item = HalfEdgeId> {
+        self.edges_of(0..self.triangle_count())
+    }
+
+    /// Iterates over the edges whose lower side belongs to one of these triangles.
+    fn edges_of(&self, triangles: Range<usize>) -> impl Iterator<Item = HalfEdgeId> {
         let is_first = |h: &HalfEdgeId| self.across(*h).is_none_or(|twin| *h < twin);
-        self.triangles().flat_map(TriangleId::half_edges).filter(is_first)
+        triangles.map(TriangleId::new).flat_map(TriangleId::half_edges).filter(is_first)
     }
 }
 
