@@ -149,7 +149,7 @@ impl Predicate {
         let lone = 0.2 * (slack - 1.0);
         let mut test = self.clone();
         match &mut test {
-            Self::Range { low: Some(low), high: Some(high) } if low < high => {
+            Self::Range { low: Some(low), high: Some(high) } if *low < *high => {
                 (*low, *high) = about_middle(*low, *high);
             }
             Self::Range { low: Some(low), high: None } => *low *= 1.0 - lone,
