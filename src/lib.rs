@@ -30,7 +30,9 @@
 //!
 //! # Features
 //!
-//! * `files` (default): mesh files. Without it the crate has the algorithms and three dependencies.
+//! * `files` (default): mesh files. Without it and `threads` the crate has three dependencies.
+//! * `threads` (default): building, costs and checks on all threads of rayon's current pool. Results
+//!   are the same on any number of threads, and without the feature.
 //! * `serde`: ids, names, counts and reports as serde data.
 //!
 //! # Modules
@@ -71,6 +73,7 @@ pub mod matching;
 pub mod mesh;
 mod names;
 pub mod pairing;
+mod parallel;
 mod prefetch;
 pub mod quadrangulation;
 pub mod random;

@@ -6,9 +6,12 @@
 //! Exit codes: 0 done; 1 a check failed; 2 bad input or usage. A failure is one line on standard
 //! error with the file, the place, the law and the remedy.
 
+mod aims;
 mod bad_runs;
+mod certificate;
 mod check;
 mod compare;
+mod comparison;
 mod convert;
 mod experiments;
 mod failure;
@@ -32,7 +35,9 @@ mod run;
 mod simplify;
 mod stdio;
 mod targets;
+mod threads;
 
+use std::num::NonZeroUsize;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
@@ -55,6 +60,9 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {
+    /// Use N threads, by default one for each core; the results are the same
+    #[arg(long, global = true, value_name = "N", help_heading = "Everywhere")]
+    threads: Option<NonZeroUsize>,
     #[command(subcommand)]
     verb: Verb,
 }
@@ -123,7 +131,10 @@ fn main() -> ExitCode {
     }
     clean_up_when_interrupted();
     let result = match Arguments::try_parse() {
-        Ok(arguments) => run(arguments.verb),
+        Ok(arguments) => {
+            threads::settle(arguments.threads);
+            run(arguments.verb)
+        }
         Err(error) => return explain_usage(&error),
     };
     match result {

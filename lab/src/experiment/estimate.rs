@@ -50,12 +50,12 @@ fn making(mesh: &PlannedMesh) -> Estimate {
     let file = 25.0 * f64::from(mesh.triangles);
     let Source::Made(made, _) = &mesh.source else { return Estimate::default() };
     let vertices = match made.recipe {
-        Recipe::Box(_) => {
+        Recipe::Box(_) | Recipe::PaperBox { .. } => {
             let seconds = 0.3e-6 * f64::from(mesh.triangles);
             let memory_bytes = 60.0 * f64::from(mesh.triangles);
             return Estimate { seconds, memory_bytes, disk_bytes: file };
         }
-        Recipe::SimplifiedBox { of, .. } => f64::from(of.vertices),
+        Recipe::SimplifiedBox { of, .. } => of.vertices() as f64,
         Recipe::StandIn { vertices, .. } => 3.0 * f64::from(vertices),
     };
     // A box is simplified once for all the meshes on the way: a share each.
