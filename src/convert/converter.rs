@@ -10,9 +10,10 @@ use super::report::Report;
 use crate::augmentation::{Augmentation, make_maximum};
 use crate::clock::{Clock, SystemClock};
 use crate::dual::{DualGraph, Matching, PerfectMatching};
+use crate::irreducible::Discipline;
 use crate::matching::weighted::SolveError;
 use crate::mesh::{Faces, Mesh};
-use crate::pairing::{Algorithm, InitialPairing, best};
+use crate::pairing::{Algorithm, InitialPairing, LRS_ORDER, best};
 use crate::quadrangulation::quality::Quality;
 use crate::quadrangulation::{
     CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, SharpEdges, check_faces,
@@ -34,6 +35,7 @@ use crate::triangulation::Triangulation;
 /// ```
 pub struct Converter<'a> {
     algorithm: Algorithm,
+    lrs_order: Discipline,
     augmentation: Augmentation,
     seed: u64,
     orient: bool,
@@ -46,6 +48,7 @@ impl fmt::Debug for Converter<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Converter")
             .field("algorithm", &self.algorithm)
+            .field("lrs_order", &self.lrs_order)
             .field("augmentation", &self.augmentation)
             .field("seed", &self.seed)
             .field("orient", &self.orient)
@@ -64,6 +67,7 @@ impl<'a> Converter<'a> {
     pub fn new() -> Self {
         Self {
             algorithm: Algorithm::Best,
+            lrs_order: LRS_ORDER,
             augmentation: Augmentation::Local,
             seed: 0,
             orient: false,
@@ -77,6 +81,12 @@ impl<'a> Converter<'a> {
     #[must_use]
     pub fn algorithm(self, algorithm: Algorithm) -> Self {
         Self { algorithm, ..self }
+    }
+
+    /// Sets the order in which `lrs` tests the edges at a vertex, in place of [`LRS_ORDER`].
+    #[must_use]
+    pub fn lrs_order(self, lrs_order: Discipline) -> Self {
+        Self { lrs_order, ..self }
     }
 
     /// Sets the kind of augmentation that makes the pairing perfect.
@@ -204,6 +214,7 @@ impl<'a> Converter<'a> {
         positions: Option<&[[f64; 3]]>,
     ) -> Result<Paired<'t>, ConvertError> {
         let mut report = Report::new(self.algorithm, self.augmentation, self.seed, triangulation);
+        report.lrs_order = self.lrs_order;
         self.enter(Stage::Pairing);
         let initial = match positions {
             Some(positions) if self.algorithm == Algorithm::Best => {
@@ -230,8 +241,13 @@ impl<'a> Converter<'a> {
         report: &mut Report,
     ) -> InitialPairing<'t> {
         let mut random = Random::stream(self.seed, &[self.algorithm.id()]);
-        let (initial, seconds) =
-            self.time(|settings| settings.algorithm.pair(triangulation, &mut random));
+        let system = SystemClock::default();
+        let ((initial, shuffle_seconds), seconds) = self.time(|settings| {
+            let clock = settings.clock.unwrap_or(&system);
+            let Self { algorithm, lrs_order, .. } = *settings;
+            algorithm.pair_by_clock(triangulation, lrs_order, &mut random, clock)
+        });
+        report.shuffle_seconds = shuffle_seconds;
         report.pairing_seconds = seconds;
         initial
     }

@@ -12,6 +12,7 @@ mod initial;
 mod lrs;
 mod pulli_segal;
 mod ranked_graph;
+mod shuffler;
 mod simple_greedy;
 
 pub use algorithm::Algorithm;
@@ -19,6 +20,6 @@ pub use best::best;
 pub use cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
 pub use eager_rescue::eager_rescue;
 pub use initial::{InitialPairing, Proof};
-pub use lrs::{Expansion, lrs};
+pub use lrs::{Expansion, LRS_ORDER, lrs};
 pub use pulli_segal::pulli_segal;
 pub use simple_greedy::simple_greedy;
