@@ -52,7 +52,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(status);
     let name = arguments.quads.display();
     let report = report.map_err(|mismatch| Failure::no(format!("{name}: {mismatch}")))?;
-    stdio::say(&format!(
+    stdio::summarise(&format!(
         "{name}: ok: {} quads on the {} vertices of {}, {} of them of degree 2, Euler \
          characteristic {}",
         report.quads,

@@ -15,6 +15,7 @@ use crate::input::{self, Repairs};
 use crate::machine;
 use crate::names::one_of;
 use crate::progress::StatusLine;
+use crate::several::Several;
 use crate::targets::{Paths, Targets};
 
 /// Convert a closed triangle mesh into quads on the same vertices
@@ -23,9 +24,10 @@ use crate::targets::{Paths, Targets};
 /// flips edges); no vertex is added, removed or moved, and the result is checked before it is
 /// written. Texture coordinates, normals, groups and materials of an OBJ file are carried over to
 /// OBJ output.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(after_help = "Examples:\n  triquad convert bunny.ply.gz -o quads.obj\n  \
                         triquad convert scan.obj --algorithm ps --seed 7 --stats -\n  \
+                        triquad convert scans/*.stl --out-dir quads --format obj\n  \
                         cat part.obj | triquad convert - -o - > quads.obj")]
 pub struct Arguments {
     #[arg(value_name = "IN", help = reads("The triangle mesh"))]
@@ -69,6 +71,8 @@ pub struct Arguments {
     write_triangulation: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
+    #[command(flatten)]
+    several: Several,
 }
 
 impl Arguments {
@@ -98,8 +102,17 @@ struct Stats<'a> {
     left_out: &'a [String],
 }
 
-/// Reads, converts, checks, writes.
+/// Converts one mesh, or several.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let Arguments { input, output, several, .. } = arguments;
+    several.each(input, output.as_deref(), |input, output| {
+        let (input, output) = (input.to_owned(), output.map(Path::to_owned));
+        convert(&Arguments { input, output, ..arguments.clone() })
+    })
+}
+
+/// Reads, converts, checks, writes.
+fn convert(arguments: &Arguments) -> Result<(), Failure> {
     let clock = SystemClock::default();
     let mut status = StatusLine::new("reading the mesh");
     let mut targets = Targets::open(Paths {

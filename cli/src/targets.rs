@@ -88,10 +88,10 @@ impl<'a> Targets<'a> {
     fn report(&self, line: &str) -> Result<(), Failure> {
         let Paths { output, triangles, stats, .. } = self.paths;
         if [output, triangles, stats].into_iter().flatten().any(is_stdio) {
-            stdio::complain(line);
+            stdio::note(line);
             Ok(())
         } else {
-            stdio::say(line)
+            stdio::summarise(line)
         }
     }
 }

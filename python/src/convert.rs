@@ -21,6 +21,7 @@ pub struct Options {
     cost: String,
     orient: bool,
     seed: u64,
+    threads: usize,
 }
 
 /// A quad array, JSON and a summary of the report, and the triangles paired if edges were flipped.
@@ -40,7 +41,7 @@ pub fn convert<'py>(
     let cost = cost(&options.cost)?;
     let positions = positions(vertices)?;
     let mesh = Mesh::from_triangles(positions, indices("triangles", triangles)?);
-    let (quads, report, flipped) = worker::run(py, move |cancel| {
+    let (quads, report, flipped) = worker::run(py, options.threads, move |cancel| {
         let converted = Converter::new()
             .algorithm(algorithm)
             .augmentation(augmentation)
@@ -68,7 +69,7 @@ pub fn pair<'py>(
     let algorithm: Algorithm = named("algorithm", &options.algorithm)?;
     let augmentation: Augmentation = named("augmentation", &options.augmentation)?;
     let mut mesh = faces_alone("triangles", indices::<3>("triangles", triangles)?)?;
-    let (pairs, report) = worker::run(py, move |cancel| {
+    let (pairs, report) = worker::run(py, options.threads, move |cancel| {
         let triangulation = Triangulation::build_oriented(&mut mesh, options.orient)?;
         let mut progress = cancel.clone();
         let mut converter = Converter::new().algorithm(algorithm).augmentation(augmentation);

@@ -17,7 +17,7 @@ pub fn check(
 ) -> PyResult<String> {
     let quads = faces_alone("quads", indices::<4>("quads", quads)?)?;
     let triangles = faces_alone("triangles", indices::<3>("triangles", triangles)?)?;
-    worker::run(py, move |_| {
+    worker::run(py, 0, move |_| {
         let report = triquad::check(&quads, &triangles)?;
         let counts = json!({
             "quads": report.quads,
@@ -37,7 +37,7 @@ pub fn survey(
     triangles: &Bound<'_, PyAny>,
 ) -> PyResult<String> {
     let mesh = Mesh::from_triangles(positions(vertices)?, indices("triangles", triangles)?);
-    worker::run(py, move |_| Ok(described(&Survey::new(&mesh)).to_string()))
+    worker::run(py, 0, move |_| Ok(described(&Survey::new(&mesh)).to_string()))
 }
 
 fn described(survey: &Survey) -> Value {

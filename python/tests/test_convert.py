@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -140,6 +141,29 @@ def test_eight_threads_at_once_get_the_same() -> None:
     assert all(np.array_equal(quads[0], other) for other in quads)
 
 
+@pytest.mark.parametrize("algorithm", ["best", "ps"])
+def test_results_do_not_depend_on_the_number_of_threads(algorithm: str) -> None:
+    vertices, triangles = torus(120, 130)
+    one, report = triquad.convert(vertices, triangles, algorithm, threads=1)
+    for threads in (2, 5, None):
+        assert np.array_equal(triquad.convert(vertices, triangles, algorithm, threads=threads)[0], one)
+    for wrong in (0, -1, 2000):
+        with pytest.raises(ValueError, match="^threads: "):
+            triquad.convert(vertices, triangles, threads=wrong)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no processes are forked here")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_forked_process_converts_too() -> None:
+    vertices, triangles = torus(60, 70)
+    quads, _ = triquad.convert(vertices, triangles)
+    child = os.fork()
+    if child == 0:
+        same = np.array_equal(triquad.convert(vertices, triangles)[0], quads)
+        os._exit(0 if same else 1)
+    assert os.waitpid(child, 0)[1] == 0
+
+
 SLOW = "triquad.convert(*torus(300, 300), 'sg', augmentation='tarjan')"
 
 
@@ -179,5 +203,8 @@ def test_ctrl_c_ends_a_long_call_and_its_work() -> None:
         assert process.stdout is not None and process.stdout.readline() == "ready\n"
         time.sleep(1.0)
         process.send_signal(signal.SIGINT)
-        output, _ = process.communicate(timeout=60)
+        try:
+            output, _ = process.communicate(timeout=60)
+        finally:
+            process.kill()
         assert (process.returncode, output) == (0, "stopped\n")

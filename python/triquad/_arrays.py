@@ -39,14 +39,14 @@ def integer_array(name: str, value: ArrayLike, length: int) -> NDArray[np.int64]
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
-def count(name: str, value: SupportsIndex, limit: int = 2**64) -> int:
-    """Return an integer from 0 to limit - 1."""
+def count(name: str, value: SupportsIndex, limit: int = 2**64, least: int = 0) -> int:
+    """Return an integer from least to limit - 1."""
     try:
         number = operator.index(value)
     except TypeError:
         raise TypeError(f"{name}: expected an integer, got {type(value).__name__}") from None
-    if not 0 <= number < limit:
-        raise ValueError(f"{name}: expected an integer from 0 to {limit - 1}, got {number}")
+    if not least <= number < limit:
+        raise ValueError(f"{name}: expected an integer from {least} to {limit - 1}, got {number}")
     return number
 
 

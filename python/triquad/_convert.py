@@ -115,7 +115,7 @@ def convert(
     algorithm : str
         ``best`` (the least total cost, proved), ``tq`` (fastest), ``sg``, ``ps``, ``ds``, ``gw``,
         ``lrs`` or ``lrs few-flips`` (flips edges).
-    keep_sharp, keep_edges, strict, open, quad_dominant, threads
+    keep_sharp, keep_edges, strict, open, quad_dominant
         Not available in this version; must have their defaults.
     cost : str
         The cost of a quad that ``best`` minimises the sum of: ``default`` or ``shape``.
@@ -125,6 +125,8 @@ def convert(
         Flip triangles first where neighbours disagree on orientation.
     seed : int, from 0 to 2**64 - 1
         Seed of the random choices of ``sg`` and ``ps``.
+    threads : int, optional
+        Number of threads, by default one for each core. The result does not depend on it.
 
     Returns
     -------
@@ -155,14 +157,13 @@ def convert(
         "strict": strict,
         "open": open,
         "quad_dominant": quad_dominant is not None,
-        "threads": threads is not None,
     }
     for name in (name for name, given in unavailable.items() if given):
         raise NotImplementedError(f"{name}: not available in this version of triquad")
     quads, report, summary, triangulation = _native.convert(
         vertices_array(vertices),
         index_array("triangles", triangles, 3),
-        _options(algorithm, augmentation, cost, orient, seed),
+        _options(algorithm, augmentation, cost, orient, seed, threads),
     )
     return quads, Report(**json.loads(report), triangulation=triangulation, summary=summary)
 
@@ -174,6 +175,7 @@ def pair(
     augmentation: str = "local",
     orient: bool = False,
     seed: int = 0,
+    threads: int | None = None,
 ) -> tuple[NDArray[np.uint32], Report]:
     """Pair up the triangles of closed surfaces, without coordinates.
 
@@ -183,7 +185,7 @@ def pair(
         Corners of the triangles, from 0.
     algorithm : str
         ``tq`` (fastest), ``sg``, ``ps``, ``ds`` or ``gw``.
-    augmentation, orient, seed
+    augmentation, orient, seed, threads
         As for `convert`.
 
     Returns
@@ -213,13 +215,18 @@ def pair(
         raise ValueError(f"algorithm: {algorithm} {reason}; use convert")
     pairs, report, summary = _native.pair(
         index_array("triangles", triangles, 3),
-        _options(algorithm, augmentation, "default", orient, seed),
+        _options(algorithm, augmentation, "default", orient, seed, threads),
     )
     return pairs, Report(**json.loads(report), summary=summary)
 
 
 def _options(
-    algorithm: str, augmentation: str, cost: str, orient: bool, seed: int
+    algorithm: str,
+    augmentation: str,
+    cost: str,
+    orient: bool,
+    seed: int,
+    threads: int | None,
 ) -> dict[str, Any]:
     return {
         "algorithm": name_of("algorithm", algorithm),
@@ -227,4 +234,5 @@ def _options(
         "cost": name_of("cost", cost),
         "orient": bool(orient),
         "seed": count("seed", seed),
+        "threads": 0 if threads is None else count("threads", threads, 1025, least=1),
     }

@@ -101,14 +101,10 @@ def match(
         ends,
         integer_array("costs", costs, len(ends)),
         None if nodes is None else count("nodes", nodes, 2**30),
-        None if price is None else _price(price),
+        None if price is None else count("price", price, 2**63, least=-(2**63)),
     )
     certificate = Certificate(_numbers(potentials), innermost, parents, _numbers(values))
     return Matching(mates, cost, certificate)
-
-
-def _price(price: int) -> int:
-    return count("price", price + 2**63) - 2**63
 
 
 def _numbers(values: NDArray[np.int64] | list[int]) -> NDArray[Any]:

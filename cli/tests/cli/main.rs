@@ -1,5 +1,6 @@
 //! Tests of the program `triquad`, as a user calls it.
 
+mod conveniences;
 mod defective_meshes;
 mod experiments;
 #[path = "../../../lab/tests/lab/records.rs"]
