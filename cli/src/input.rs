@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use triquad::mesh::{Format, MeshError};
+use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
 
 use crate::failure::{Facts, Failure};
@@ -53,7 +54,34 @@ pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangula
         mesh.triangulate();
     }
     let triangulation = Triangulation::build_oriented(mesh, repairs.orient);
-    triangulation.map_err(|survey| refusal(path, &survey))
+    triangulation.map_err(|survey| refusal(path, &survey, None))
+}
+
+/// A surface with its mesh.
+pub enum Built {
+    Closed(Triangulation),
+    /// With boundary, or one-sided.
+    Open(OpenTriangulation),
+}
+
+/// Reads a mesh that must be a triangulation of surfaces, closed or not, after its repairs.
+pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Failure> {
+    let mut mesh = read(path)?;
+    if repairs.triangulate {
+        mesh.triangulate();
+    }
+    let survey = match Triangulation::build_oriented(&mut mesh, repairs.orient) {
+        Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
+        Err(survey) => survey,
+    };
+    if !survey.is_open_surface(repairs.orient) {
+        return Err(refusal(path, &survey, None));
+    }
+    if repairs.orient {
+        survey.orient(&mut mesh);
+    }
+    let open = OpenTriangulation::build(&mesh).map_err(|survey| refusal(path, &survey, None))?;
+    Ok((mesh, Built::Open(open)))
 }
 
 /// Makes the failure of a file that could not be read or written.
@@ -64,9 +92,9 @@ pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
     failure.with(Facts { file, law: None, element: None, count: None, remedy })
 }
 
-/// Makes the failure of a mesh that is no triangulation: its first broken law, and the number of
-/// others.
-pub fn refusal(path: &Path, survey: &Survey) -> Failure {
+/// Makes the failure of a mesh that is no triangulation: its first broken law, the number of
+/// others, and a second remedy if there is one.
+pub fn refusal(path: &Path, survey: &Survey, other_remedy: Option<&str>) -> Failure {
     let first = survey.violations[0];
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
@@ -79,8 +107,9 @@ pub fn refusal(path: &Path, survey: &Survey) -> Failure {
         _ => ", counted from 1",
     };
     let (name, remedy) = (first.law.name(), first.law.remedy());
+    let other_remedy = other_remedy.map(|remedy| format!("; {remedy}")).unwrap_or_default();
     let file = path.display().to_string();
-    let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}");
+    let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}{other_remedy}");
     let element = Some(first.element.to_string());
     let facts = Facts { file, law: Some(name), element, count: Some(first.count), remedy };
     Failure::bad(message).with(facts)

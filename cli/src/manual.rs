@@ -1,7 +1,5 @@
 //! `triquad completions` and `triquad man`: what the arguments say, in other forms.
 
-use std::io::{self, Write};
-
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -35,7 +33,7 @@ pub struct Manual {
 pub fn print_completions<A: CommandFactory>(arguments: &Completions) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut A::command(), "triquad", &mut script);
-    print(&script)
+    stdio::say_by(|out| out.write_all(&script))
 }
 
 /// Prints a manual page.
@@ -48,22 +46,11 @@ pub fn print_manual<A: CommandFactory>(arguments: &Manual) -> Result<(), Failure
     };
     let mut text = Vec::new();
     Man::new(page).render(&mut text).map_err(|error| Failure::bad(error.to_string()))?;
-    print(&text)
+    stdio::say_by(|out| out.write_all(&text))
 }
 
 fn find(tool: &Command, verb: &str) -> Result<Command, Failure> {
     let known = || tool.get_subcommands().map(Command::get_name).collect::<Vec<_>>().join(", ");
     let found = tool.find_subcommand(verb).cloned();
     found.ok_or_else(|| Failure::bad(format!("{verb}: no such verb; use one of: {}", known())))
-}
-
-/// Prints bytes. A closed pipe is no failure.
-fn print(text: &[u8]) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    match out.write_all(text).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(stdio::output_failure(&error))
-        }
-        _ => Ok(()),
-    }
 }

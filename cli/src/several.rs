@@ -16,7 +16,10 @@ pub struct Several {
     more: Vec<PathBuf>,
     /// Write each result into FOLDER, which is made if it is not there, under the name of its input
     #[arg(long, value_name = "FOLDER")]
-    #[arg(conflicts_with_all = ["output", "stats", "write_triangulation", "stop_after_paths"])]
+    #[arg(conflicts_with_all = [
+        "output", "stats", "write_triangulation", "stop_after_paths", "certificate", "given_up",
+        "compare",
+    ])]
     out_dir: Option<PathBuf>,
     /// The format in FOLDER: obj, ply or off, also with .gz; by default that of each input, and obj
     /// for stl

@@ -1,6 +1,6 @@
 //! Printing that does not panic on a closed pipe, as loud as is wanted.
 
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::sync::OnceLock;
 
 use crate::failure::Failure;
@@ -55,16 +55,18 @@ pub fn fail(failure: &Failure) {
 
 /// Prints a line on standard output. A closed pipe is no failure.
 pub fn say(line: &str) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    match writeln!(out, "{line}").and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(output_failure(&error)),
-        _ => Ok(()),
-    }
+    say_by(|out| writeln!(out, "{line}"))
 }
 
-/// Makes the failure of standard output.
-pub fn output_failure(error: &io::Error) -> Failure {
-    Failure::bad(format!("standard output: {error}; check where it is redirected to"))
+/// Prints on standard output what `write` writes. A closed pipe is no failure.
+pub fn say_by(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    match write(&mut out).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::bad(format!("standard output: {error}; check where it is redirected to")))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Prints a line on standard error. Replaces control characters, which file names may hold.

@@ -4,7 +4,7 @@ use super::row::Row;
 use crate::mesh::MAX_CORNERS;
 use crate::parallel::collect;
 use crate::prefetch::prefetch;
-use crate::triangulation::{Side, TriangleId, Triangulation};
+use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
 
 /// For each triangle its three neighbours, or none across a boundary. 16 bytes a triangle.
 ///
@@ -68,15 +68,17 @@ impl Sides for DualGraph {
 
 impl DualGraph {
     /// Returns the dual graph of a triangulation: neighbour `i` lies across side `i`. O(n).
-    pub fn new(triangulation: &Triangulation) -> Self {
-        Self::from_rows(Self::rows_of(triangulation, 0), false)
+    pub fn new(surface: &impl Surface) -> Self {
+        Self::from_rows(Self::rows_of(surface, 0), !surface.is_closed())
     }
 
-    /// Returns the rows of the dual graph of a triangulation, each with `beside` in it. O(n).
-    pub(crate) fn rows_of(triangulation: &Triangulation, beside: u32) -> Vec<Row> {
-        let (sides, _) = triangulation.sides().as_chunks::<3>();
-        let across = |sides: &[Side; 3]| sides.map(|side| side.twin.triangle());
-        collect(sides.len(), |f| Row { sides: across(&sides[f]), beside })
+    /// Returns the rows of the dual graph of a surface, each with `beside` in it. O(n).
+    pub(crate) fn rows_of(surface: &impl Surface, beside: u32) -> Vec<Row> {
+        let across = |h| surface.across(h).map_or(TriangleId::NONE, HalfEdgeId::triangle);
+        collect(surface.triangle_count(), |f| Row {
+            sides: TriangleId::new(f).half_edges().map(across),
+            beside,
+        })
     }
 
     /// Makes a graph of its rows; the numbers beside the neighbours lose their meaning.

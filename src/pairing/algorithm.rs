@@ -8,6 +8,7 @@ use std::str::FromStr;
 use super::eager_rescue::pair_with_rescues;
 use super::initial::InitialPairing;
 use super::lrs::{Expansion, lrs};
+use super::objective::Objective;
 use super::pulli_segal::pair_by_priority;
 use super::ranked_graph::RankedGraph;
 use super::simple_greedy::simple_greedy;
@@ -74,7 +75,8 @@ impl Algorithm {
         match self {
             Self::Best => {
                 let costs = vec![[0; 3]; triangulation.triangle_count()];
-                best(triangulation, costs, &mut |_| ControlFlow::Continue(())).expect(LEGAL)
+                let objective = Objective::perfect(costs);
+                best(triangulation, objective, &mut |_| ControlFlow::Continue(())).expect(LEGAL)
             }
             Self::EagerRescue => {
                 let (dual, matching) = pair_with_rescues(RankedGraph::new(triangulation));

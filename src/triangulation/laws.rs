@@ -107,9 +107,7 @@ impl Law {
                 "separate the sheets that meet there, or remove the inner faces"
             }
             Self::NoBoundary => "close the holes, or weld duplicate vertices if the gaps are seams",
-            Self::Orientable => {
-                "only two-sided surfaces can be converted; cut it or take its double cover"
-            }
+            Self::Orientable => "cut the strip or take the double cover of the surface",
             Self::ConsistentOrientation => "--orient flips faces until they agree",
             Self::OneFan => "give each fan a vertex of its own",
         }

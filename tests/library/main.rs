@@ -10,6 +10,7 @@ mod formats;
 mod irreducible;
 mod laws;
 mod matching;
+mod open;
 #[cfg(feature = "files")]
 mod real_meshes;
 #[cfg(feature = "files")]

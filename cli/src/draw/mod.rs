@@ -3,13 +3,13 @@
 mod scene;
 mod terminal;
 
-use std::io::{self, Write as _};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use triquad::Mesh;
 use triquad::atomic_file::AtomicFile;
-use triquad_render::{Camera, Image, Lines, PictureError};
+use triquad_render::{Camera, Image, Lines, PictureError, Section};
 
 use crate::failure::Failure;
 use crate::formats::reads;
@@ -55,6 +55,10 @@ pub struct Arguments {
     /// Enlarge; at 1 the whole mesh is seen
     #[arg(long, default_value_t = 1.0, value_name = "X")]
     zoom: f64,
+    /// Cut away what lies beyond a plane: a point of it, and the direction to be cut away
+    #[arg(long, num_args = 6, value_names = ["X", "Y", "Z", "DX", "DY", "DZ"])]
+    #[arg(allow_negative_numbers = true)]
+    section: Option<Vec<f64>>,
     /// Width and height in pixels of the file
     #[arg(long, num_args = 2, value_names = ["W", "H"], default_values_t = [1600, 1200])]
     size: Vec<usize>,
@@ -112,6 +116,7 @@ impl Arguments {
             height,
             camera: self.camera(),
             lines: Lines { edges, ..Lines::default() },
+            section: self.section.as_deref().map(section),
             by_quality: self.colour == Colour::Quality,
             background: to_file.then_some([255; 3]),
         };
@@ -139,12 +144,18 @@ impl Arguments {
     fn failure(&self, path: &Path, error: &PictureError) -> Failure {
         let remedy = match error {
             PictureError::Size { .. } => "; give a smaller --size, of 1 or more",
+            PictureError::Section => "; give a direction that is not 0",
             PictureError::Camera(_) => "; use finite angles and a positive --zoom",
             PictureError::NotFinite(_) | PictureError::Vertex(_) => "; 'triquad info' has more",
             _ => "",
         };
         Failure::bad(format!("{}: {error}{remedy}", path.display()))
     }
+}
+
+fn section(numbers: &[f64]) -> Section {
+    let three = |first: usize| [0, 1, 2].map(|i| numbers[first + i]);
+    Section { point: three(0), normal: three(3) }
 }
 
 /// Where a picture is written: opened before the work starts.
@@ -175,15 +186,7 @@ impl<'a> Target<'a> {
                 let (width, height) = (image.width(), image.height());
                 stdio::summarise(&format!("{}: {width} x {height} pixels", path.display()))
             }
-            Self::StandardOutput => {
-                let mut out = io::stdout().lock();
-                match image.write_png(&mut out).and_then(|()| out.flush()) {
-                    Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-                        Err(Self::failure(Path::new("standard output"), &error))
-                    }
-                    _ => Ok(()),
-                }
-            }
+            Self::StandardOutput => stdio::say_by(|out| image.write_png(out)),
         }
     }
 

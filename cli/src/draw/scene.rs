@@ -3,7 +3,7 @@
 use triquad::Mesh;
 use triquad::quadrangulation::quality::scaled_jacobian;
 use triquad_lab::pictures::polygons;
-use triquad_render::{Camera, Image, Lines, Picture, PictureError};
+use triquad_render::{Camera, Image, Lines, Picture, PictureError, Section};
 
 /// Colours of quads by scaled Jacobian, told apart by colour-blind eyes; those between are mixed.
 const SCALE: [(f64, [u8; 3]); 4] = [
@@ -25,6 +25,8 @@ pub struct Scene {
     pub height: usize,
     pub camera: Camera,
     pub lines: Lines,
+    /// The plane beyond which all is cut away.
+    pub section: Option<Section>,
     pub by_quality: bool,
     /// None is transparent.
     pub background: Option<[u8; 3]>,
@@ -48,6 +50,7 @@ impl Scene {
             height: self.height,
             camera: self.camera.clone(),
             lines: self.lines.clone(),
+            section: self.section.clone(),
             background: self.background,
             front: PLAIN,
             ..Picture::new(polygons(mesh))

@@ -65,6 +65,7 @@ fn pictures_have_the_size_asked_for_and_differ_by_what_they_show() {
         "--azimuth -60 --elevation 89",
         "--up z",
         "--zoom 2",
+        "--section 0 0 0 0 -1 0.5",
         "--against ball.obj",
     ]
     .iter()
@@ -99,6 +100,7 @@ fn a_mesh_that_cannot_be_drawn_leaves_no_picture() {
         ("draw quads.obj -o a.png --size 0 5", "quads.obj: no image of 0 x 5 pixels"),
         ("draw quads.obj -o a.png --zoom -1", "quads.obj: camera: the zoom is not positive"),
         ("draw quads.obj -o a.png --azimuth inf", "quads.obj: camera: a coordinate is not finite"),
+        ("draw quads.obj -o a.png --section 0 0 0 0 0 0", "the plane of the section"),
         ("draw nan.obj -o a.png", "nan.obj"),
         ("draw quads.obj -o missing/a.png", "missing/a.png: "),
     ] {

@@ -3,11 +3,13 @@
 mod conveniences;
 mod defective_meshes;
 mod experiments;
+mod own_results;
 #[path = "../../../lab/tests/lab/records.rs"]
 mod records;
 mod repeatable;
 mod report_files;
 mod results;
+mod runner;
 #[cfg(target_os = "linux")]
 mod slurm;
 mod surfaces;

@@ -18,6 +18,8 @@ pub(super) struct Limits {
     pub(super) parts: usize,
     /// Trees in a part may visit one node in so many of it; larger ones mostly meet its border.
     pub(super) share: usize,
+    /// There are no parts if more than one node in so many is on a border.
+    pub(super) border: usize,
 }
 
 impl Limits {
@@ -27,9 +29,10 @@ impl Limits {
         factor: 4,
         single_rounds: 2,
         patience: 3,
-        part: 1 << 17,
+        part: 1 << 18,
         parts: 16,
         share: 16,
+        border: 10,
     };
 
     /// Returns the limit of the round after one with this limit.
@@ -39,7 +42,8 @@ impl Limits {
 
     /// Returns how many parts to divide so many nodes into. It does not depend on the machine.
     pub(super) fn parts(self, nodes: usize) -> usize {
-        (nodes / self.part).clamp(1, self.parts)
+        // An even number keeps two threads equally busy.
+        (nodes / self.part).next_multiple_of(2).clamp(1, self.parts)
     }
 
     /// Returns the greatest limit for trees in a part.

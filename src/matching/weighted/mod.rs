@@ -70,6 +70,7 @@ mod prices;
 mod problem;
 mod queue;
 mod refusal;
+mod roots;
 mod solve;
 mod sparse;
 mod start;

@@ -14,9 +14,25 @@ use super::nodes::Nodes;
 use super::number::Number;
 use super::observer::{Observer, Stage};
 use super::refusal::Refusal;
+use super::roots::Roots;
 use super::start::{raise_each, start};
 use super::work::Work;
 use crate::parallel::{map, threads};
+
+/// Returns whether parts are worth it: there are several, and few nodes are on their borders.
+///
+/// That depends on the graph alone. Numberings of meshes from arrays or scanners mostly follow the
+/// surface; where neighbours are far apart, the parts would be all border.
+pub(super) fn has_parts<N: Number>(rows: &mut Rows<N>, limits: Limits) -> bool {
+    let nodes = rows.len();
+    let parts = limits.parts(nodes);
+    if parts == 1 {
+        return false;
+    }
+    let count = |nodes: Cubic<N, true>| nodes.range().filter(|&v| nodes.is_on_border(v)).count();
+    let border: usize = map(rows.parts(parts), count).into_iter().sum();
+    border <= nodes / limits.border
+}
 
 /// Runs all phases.
 pub(super) fn run_in_parts<N: Number>(
@@ -39,9 +55,11 @@ pub(super) fn run_in_parts<N: Number>(
         pair_in_part(nodes, roots, limits, if in_a_hurry { 0 } else { most })
     };
     let grown = in_batches(parts, Stage::Blossoms, roots.len(), observer, pair)?;
-    let (grown, left): (Vec<_>, Vec<_>) = grown.into_iter().unzip();
+    let (grown, roots): (Vec<_>, Vec<_>) = grown.into_iter().unzip();
+    let mut left = Roots::default();
+    roots.into_iter().for_each(|roots| left.add(roots));
     let mut trees = join(&mut rows, grown, limits, work)?;
-    trees.pair_all(left.concat(), limits, observer)?;
+    trees.pair_all(left, most, limits, observer)?;
     trees.finish()
 }
 
@@ -57,20 +75,20 @@ fn half_phase<N: Number>(
     let half = |nodes, in_a_hurry: bool| Half::of(nodes, limits, !in_a_hurry);
     let halves = in_batches(parts, Stage::HalfIntegral, nodes, observer, half)?;
     let mut whole = rows.whole();
-    let (mut free, mut border, mut cycles) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut roots, mut border, mut cycles) = (Roots::default(), Vec::new(), Vec::new());
     for half in halves {
-        free.extend(half.free);
+        roots.add(half.roots);
         border.extend(half.border);
         cycles.extend(half.cycles);
         work.add(half.work);
     }
-    raise_each(&mut whole, border, &mut free);
-    half_integral(&mut whole, free, cycles, limits, work, observer)
+    raise_each(&mut whole, border, &mut roots.blocked);
+    half_integral(&mut whole, roots, cycles, limits, work, observer)
 }
 
 /// What is left of a part by the first rounds of the half-integral phase.
 struct Half {
-    free: Vec<u32>,
+    roots: Roots,
     border: Vec<u32>,
     cycles: Vec<u32>,
     work: Work,
@@ -78,27 +96,27 @@ struct Half {
 
 impl Half {
     fn of<N: Number>(
-        mut nodes: Cubic<N>,
+        mut nodes: Cubic<N, true>,
         limits: Limits,
         with_rounds: bool,
     ) -> Result<Self, Refusal> {
-        let (mut free, border) = start(&mut nodes);
+        let (free, border) = start(&mut nodes);
         let mut work = Work { free_after_start: free.len() as u64, ..Work::default() };
-        let mut cycles = Vec::new();
+        let (mut roots, mut cycles) = (Roots::new(free), Vec::new());
         if with_rounds {
-            first_rounds(&mut nodes, &mut free, &mut cycles, limits, &mut work)?;
+            first_rounds(&mut nodes, &mut roots, &mut cycles, limits, &mut work)?;
         }
-        Ok(Self { free, border, cycles, work })
+        Ok(Self { roots, border, cycles, work })
     }
 }
 
 /// Pairs the roots of a part that need no larger trees than `most`; returns the others, too.
 fn pair_in_part<N: Number>(
-    nodes: Cubic<N>,
+    nodes: Cubic<N, true>,
     roots: Vec<u32>,
     limits: Limits,
     most: usize,
-) -> Result<(Grown<N>, Vec<u32>), Refusal> {
+) -> Result<(Grown<N>, Roots), Refusal> {
     let mut goes_on = |_| ControlFlow::Continue(());
     let mut trees = Trees::new(nodes, Work::default());
     let left = trees.pair_within(most, roots, limits, &mut Observer::new(&mut goes_on))?;
@@ -111,12 +129,12 @@ fn join<N: Number>(
     grown: Vec<Grown<N>>,
     limits: Limits,
     work: Work,
-) -> Result<Trees<Cubic<'_, N>>, Refusal> {
+) -> Result<Trees<Cubic<'_, N, false>>, Refusal> {
     let mut before = vec![0];
     for part in &grown {
         before.push(before[before.len() - 1] + part.set_count());
     }
-    if before[grown.len()] > Cubic::<N>::MOST_SETS as usize {
+    if before[grown.len()] > Cubic::<N, false>::MOST_SETS as usize {
         return Err(Refusal::TooNarrow);
     }
     let parts = rows.parts(limits.parts(rows.len()));

@@ -56,13 +56,13 @@ impl<N: Number> Rows<N> {
     }
 
     /// Returns a view of all nodes.
-    pub(crate) fn whole(&mut self) -> Cubic<'_, N> {
+    pub(crate) fn whole(&mut self) -> Cubic<'_, N, false> {
         let count = self.rows.len() as u32;
         Cubic { rows: &mut self.rows, prices: &self.prices, first: 0, count }
     }
 
     /// Returns views of `parts` ranges of nodes, about equally many in each, in order.
-    pub(crate) fn parts(&mut self, parts: usize) -> Vec<Cubic<'_, N>> {
+    pub(crate) fn parts(&mut self, parts: usize) -> Vec<Cubic<'_, N, true>> {
         let Self { rows, prices } = self;
         let count = rows.len() as u32;
         let end = |part: usize| (u64::from(count) * part as u64 / parts as u64) as u32;

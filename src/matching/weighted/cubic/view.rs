@@ -12,9 +12,9 @@ const LABEL: u32 = 4;
 const PAIRED: u64 = 1 << 6;
 const MARK: u64 = 1 << 7;
 
-/// The nodes of a range. Half-edge `4v + i` leaves node `v` across side `i`, `4v + 3` to the
-/// ground.
-pub(crate) struct Cubic<'a, N: Number> {
+/// All nodes, or if `PART` those of a range. Half-edge `4v + i` leaves node `v` across side `i`,
+/// `4v + 3` to the ground.
+pub(crate) struct Cubic<'a, N: Number, const PART: bool> {
     pub(super) rows: &'a mut [Row<N>],
     /// Those of all nodes; empty if no node has one.
     pub(super) prices: &'a [Option<N>],
@@ -23,15 +23,21 @@ pub(crate) struct Cubic<'a, N: Number> {
     pub(super) count: u32,
 }
 
-impl<N: Number> Cubic<'_, N> {
+impl<N: Number, const PART: bool> Cubic<'_, N, PART> {
+    /// Returns the place of a node in the rows.
+    #[inline]
+    fn place(&self, node: u32) -> usize {
+        if PART { node.wrapping_sub(self.first) as usize } else { node as usize }
+    }
+
     #[inline]
     fn row(&self, node: u32) -> &Row<N> {
-        &self.rows[node.wrapping_sub(self.first) as usize]
+        &self.rows[self.place(node)]
     }
 
     #[inline]
     fn row_mut(&mut self, node: u32) -> &mut Row<N> {
-        &mut self.rows[node.wrapping_sub(self.first) as usize]
+        &mut self.rows[self.place(node)]
     }
 
     #[inline]
@@ -46,7 +52,7 @@ impl<N: Number> Cubic<'_, N> {
     }
 }
 
-impl<N: Number> Nodes for Cubic<'_, N> {
+impl<N: Number, const PART: bool> Nodes for Cubic<'_, N, PART> {
     type N = N;
     const MOST_SETS: u32 = if size_of::<N>() == 4 { (1 << 24) - 2 } else { u32::MAX - 2 };
 
@@ -54,10 +60,14 @@ impl<N: Number> Nodes for Cubic<'_, N> {
         self.count
     }
     fn range(&self) -> Range<u32> {
-        self.first..self.first + self.rows.len() as u32
+        let first = if PART { self.first } else { 0 };
+        first..first + self.rows.len() as u32
     }
     #[inline]
     fn is_on_border(&self, node: u32) -> bool {
+        if !PART {
+            return false;
+        }
         let range = self.range();
         self.row(node).twins.iter().any(|&twin| twin != NONE && !range.contains(&(twin >> 2)))
     }
@@ -90,7 +100,7 @@ impl<N: Number> Nodes for Cubic<'_, N> {
     }
     #[inline]
     fn prefetch(&self, node: u32) {
-        prefetch(self.rows, node.wrapping_sub(self.first) as usize);
+        prefetch(self.rows, self.place(node));
     }
 
     #[inline]

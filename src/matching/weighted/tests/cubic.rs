@@ -26,6 +26,7 @@ pub(super) fn limits() -> impl Strategy<Value = Limits> {
             part,
             parts,
             share,
+            border: 1,
         },
     )
 }
