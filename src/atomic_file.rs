@@ -75,6 +75,20 @@ impl AtomicFile {
         Ok(Self(Kind::Renamed { target, file, _registration: registration }))
     }
 
+    /// Waits until what was written is on the disk, so that a power cut cannot leave an empty file
+    /// under the name of the target.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    pub fn sync(&mut self) -> io::Result<()> {
+        self.flush()?;
+        match &mut self.0 {
+            Kind::Renamed { file, .. } => file.get_ref().as_file().sync_all(),
+            // A device has nothing to wait for, and some refuse to.
+            Kind::Direct(_) => Ok(()),
+        }
+    }
+
     /// Puts the complete file in place of the target.
     ///
     /// # Errors

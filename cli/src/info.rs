@@ -36,10 +36,14 @@ struct Info {
     triangles: usize,
     euler_characteristic: i64,
     genus: Option<usize>,
+    non_orientable_genus: Option<usize>,
     components: usize,
     boundary_loops: usize,
     orientable: bool,
     closed: bool,
+    /// True if `convert --open` takes the mesh and `convert` alone does not.
+    #[serde(skip)]
+    is_open_surface: bool,
     violations: Vec<Broken>,
 }
 
@@ -72,8 +76,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         1 => "a law".into(),
         laws => format!("{laws} laws"),
     };
-    let input = &info.input;
-    Err(Failure::bad(format!("{input}: breaks {laws}, it cannot be converted as it is")))
+    let way = match info.is_open_surface {
+        true => "it can be converted with 'triquad convert --open' only",
+        false => "it cannot be converted as it is",
+    };
+    Err(Failure::bad(format!("{}: breaks {laws}, {way}", info.input)))
 }
 
 const SCHEMA: &str = "triquad-info-1";
@@ -97,10 +104,12 @@ impl Info {
             triangles: triangulation.triangle_count(),
             euler_characteristic: triangulation.euler_characteristic(),
             genus: Some(triangulation.genus()),
+            non_orientable_genus: None,
             components: triangulation.component_count(),
             boundary_loops: 0,
             orientable: true,
             closed: true,
+            is_open_surface: false,
             violations: Vec::new(),
         }
     }
@@ -116,10 +125,12 @@ impl Info {
             triangles: survey.triangles,
             euler_characteristic: survey.euler_characteristic,
             genus: survey.genus(),
+            non_orientable_genus: survey.non_orientable_genus(),
             components: survey.components,
             boundary_loops: survey.boundary_loops,
             orientable: survey.orientable,
             closed: survey.closed,
+            is_open_surface: survey.is_open_surface(false),
             violations: survey.violations.iter().map(Broken::from).collect(),
         }
     }
@@ -141,6 +152,7 @@ impl From<&Violation> for Broken {
 fn describe(info: &Info) -> String {
     let genus = info.genus.map(|genus| genus.to_string());
     let yes_no = |yes| String::from(if yes { "yes" } else { "no" });
+    let cross_caps = info.non_orientable_genus.map(|genus| genus.to_string());
     let rows = [
         ("vertices", info.vertices.to_string()),
         ("unreferenced vertices", info.unreferenced_vertices.to_string()),
@@ -148,13 +160,14 @@ fn describe(info: &Info) -> String {
         ("faces", format!("{} ({} triangles)", info.faces, info.triangles)),
         ("Euler characteristic", info.euler_characteristic.to_string()),
         ("genus", genus.unwrap_or("none (not a closed, two-sided surface)".into())),
+        ("non-orientable genus", cross_caps.unwrap_or_default()),
         ("components", info.components.to_string()),
         ("boundary loops", info.boundary_loops.to_string()),
         ("orientable", yes_no(info.orientable)),
         ("closed", yes_no(info.closed)),
     ];
     let mut text = info.input.clone();
-    for (name, value) in rows {
+    for (name, value) in rows.into_iter().filter(|(_, value)| !value.is_empty()) {
         let _ = write!(text, "\n  {name:<21}  {value}");
     }
     for Broken { law, remedy, message, .. } in &info.violations {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use triquad::mesh::{Format, MeshError};
+use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
 
 use crate::failure::Failure;
@@ -53,7 +54,38 @@ pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangula
         mesh.triangulate();
     }
     let triangulation = Triangulation::build_oriented(mesh, repairs.orient);
-    triangulation.map_err(|survey| refusal(path, &survey))
+    triangulation.map_err(|survey| {
+        let opens = survey.is_open_surface(repairs.orient);
+        let remedy = opens.then_some("only 'convert --open' and check take it as it is");
+        refusal(path, &survey, remedy)
+    })
+}
+
+/// A surface with its mesh.
+pub enum Built {
+    Closed(Triangulation),
+    /// With boundary, or one-sided.
+    Open(OpenTriangulation),
+}
+
+/// Reads a mesh that must be a triangulation of surfaces, closed or not, after its repairs.
+pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Failure> {
+    let mut mesh = read(path)?;
+    if repairs.triangulate {
+        mesh.triangulate();
+    }
+    let survey = match Triangulation::build_oriented(&mut mesh, repairs.orient) {
+        Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
+        Err(survey) => survey,
+    };
+    if !survey.is_open_surface(repairs.orient) {
+        return Err(refusal(path, &survey, None));
+    }
+    if repairs.orient {
+        survey.orient(&mut mesh);
+    }
+    let open = OpenTriangulation::build(&mesh).map_err(|survey| refusal(path, &survey, None))?;
+    Ok((mesh, Built::Open(open)))
 }
 
 /// Makes the failure of a file that could not be read or written.
@@ -61,9 +93,9 @@ pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
     Failure::bad(format!("{}: {error}; {}", path.display(), error.remedy()))
 }
 
-/// Makes the failure of a mesh that is no triangulation: its first broken law, and the number of
-/// others.
-pub fn refusal(path: &Path, survey: &Survey) -> Failure {
+/// Makes the failure of a mesh that is no triangulation: its first broken law, the number of
+/// others, and a second remedy if there is one.
+pub fn refusal(path: &Path, survey: &Survey, other_remedy: Option<&str>) -> Failure {
     let first = survey.violations[0];
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
@@ -76,5 +108,7 @@ pub fn refusal(path: &Path, survey: &Survey) -> Failure {
         _ => ", counted from 1",
     };
     let (name, remedy) = (first.law.name(), first.law.remedy());
-    Failure::bad(format!("{}: {first}{from_one} [{name}]{others}; {remedy}", path.display()))
+    let other_remedy = other_remedy.map(|remedy| format!("; {remedy}")).unwrap_or_default();
+    let path = path.display();
+    Failure::bad(format!("{path}: {first}{from_one} [{name}]{others}; {remedy}{other_remedy}"))
 }

@@ -3,7 +3,7 @@
 //! Triangles have no common vertices in such a file: corners at equal coordinates are made one
 //! vertex. Normals and attribute bytes hold nothing that a surface needs and are not read.
 
-use rustc_hash::FxHashMap;
+use std::collections::HashMap;
 
 use super::error::{MeshError, Place};
 use super::faces::MAX_CORNERS;
@@ -109,7 +109,7 @@ fn next_is(tokens: &mut Tokens, choices: &[&str]) -> Result<usize, MeshError> {
 struct Welder {
     positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
-    vertices: FxHashMap<[u64; 3], u32>,
+    vertices: HashMap<[u64; 3], u32>,
 }
 
 impl Welder {
@@ -118,7 +118,7 @@ impl Welder {
             return Err(MeshError::TooLarge);
         }
         // A closed surface has about half as many vertices as triangles.
-        let mut vertices = FxHashMap::default();
+        let mut vertices = HashMap::default();
         vertices.reserve(triangles / 2);
         let positions = Vec::with_capacity(triangles / 2);
         Ok(Self { positions, triangles: Vec::with_capacity(triangles), vertices })

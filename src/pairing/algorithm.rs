@@ -5,10 +5,12 @@ use super::cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
 use std::ops::ControlFlow;
 use std::str::FromStr;
 
-use super::eager_rescue::eager_rescue;
+use super::eager_rescue::pair_with_rescues;
 use super::initial::InitialPairing;
 use super::lrs::{Expansion, LRS_ORDER, lrs};
+use super::objective::Objective;
 use super::pulli_segal::pair_by_priority;
+use super::ranked_graph::RankedGraph;
 use super::shuffler::Shuffler;
 use super::simple_greedy::pair_edges;
 use crate::clock::Clock;
@@ -99,19 +101,24 @@ impl Algorithm {
         let pairing = match self {
             Self::Best => {
                 let costs = vec![[0; 3]; triangulation.triangle_count()];
-                best(triangulation, costs, &mut |_| ControlFlow::Continue(())).expect(LEGAL)
+                let objective = Objective::perfect(costs);
+                best(triangulation, objective, &mut |_| ControlFlow::Continue(())).expect(LEGAL)
             }
-            Self::EagerRescue => InitialPairing::from_input(triangulation, eager_rescue),
+            Self::EagerRescue => {
+                let (dual, matching) = pair_with_rescues(RankedGraph::new(triangulation));
+                InitialPairing::new(triangulation, dual, matching)
+            }
             Self::SimpleGreedy => InitialPairing::from_input(triangulation, |dual| {
                 let matching = pair_edges(dual, &mut random);
                 shuffle_seconds = random.seconds();
                 matching
             }),
-            Self::PulliSegal => InitialPairing::from_input(triangulation, |dual| {
-                let (matching, seconds) = pair_by_priority(dual, Some(random));
+            Self::PulliSegal => {
+                let ranked = RankedGraph::new(triangulation);
+                let (dual, matching, seconds) = pair_by_priority(ranked, Some(random));
                 shuffle_seconds = seconds;
-                matching
-            }),
+                InitialPairing::new(triangulation, dual, matching)
+            }
             // A triangulation is closed, so its dual graph is cubic. It is bridgeless: the edge
             // across side ab lies on the ring of triangles round a, exactly once, as a and b
             // differ.

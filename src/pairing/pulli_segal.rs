@@ -34,19 +34,25 @@ use crate::triangulation::TriangleId;
 /// Θ(n) time: a triangle changes its set at most three times. 20 bytes a triangle, and queues as long
 /// as the edge of the paired region.
 pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
-    pair_by_priority(graph, random.map(|random| Shuffler::new(random, None))).0
+    let random = random.map(|random| Shuffler::new(random, None));
+    pair_by_priority(RankedGraph::copy_of(graph), random).1
 }
 
-/// Does the same, and returns the seconds that shuffles have taken beside the pairing.
-pub(super) fn pair_by_priority(graph: &DualGraph, random: Option<Shuffler>) -> (Matching, f64) {
-    let mut greedy = Greedy::new(graph, random);
+/// Pairs as [`pulli_segal`] does, in rows that it is given. Returns these without the ranks, the
+/// pairing, and the seconds that shuffles have taken.
+pub(super) fn pair_by_priority(
+    ranked: RankedGraph,
+    random: Option<Shuffler>,
+) -> (DualGraph, Matching, f64) {
+    let mut greedy = Greedy::new(ranked, random);
     while let Some(f) = greedy.next() {
         match greedy.best_neighbour(f) {
             Some(g) => greedy.pair(f, g),
             None => greedy.leave_alone(f),
         }
     }
-    (greedy.matching, greedy.random.map_or(0.0, |random| random.seconds()))
+    let seconds = greedy.random.map_or(0.0, |random| random.seconds());
+    (greedy.ranked.into_dual(), greedy.matching, seconds)
 }
 
 /// Counts entries into sets, at most three for each triangle; on meshes of more than 180 million
@@ -87,10 +93,10 @@ pub(super) struct Greedy<'g> {
 }
 
 impl<'g> Greedy<'g> {
-    pub(super) fn new(graph: &DualGraph, mut random: Option<Shuffler<'g>>) -> Self {
-        let triangles = graph.len();
+    pub(super) fn new(ranked: RankedGraph, mut random: Option<Shuffler<'g>>) -> Self {
+        let triangles = ranked.len();
         let mut greedy = Self {
-            ranked: RankedGraph::new(graph),
+            ranked,
             matching: Matching::empty(triangles),
             left: triangles,
             time: Time::new(triangles),
@@ -296,7 +302,7 @@ mod tests {
 
     /// Runs the algorithm and compares every priority and every choice with the definition.
     fn follow(graph: &DualGraph) {
-        let mut greedy = Greedy::new(graph, None);
+        let mut greedy = Greedy::new(RankedGraph::copy_of(graph), None);
         while greedy.left > 0 {
             let done: Vec<bool> =
                 graph.triangles().map(|f| greedy.priority(f) == Priority::Done).collect();
