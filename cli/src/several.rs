@@ -53,7 +53,9 @@ impl Several {
         }
         let Some(&code) = codes.iter().max() else { return Ok(()) };
         let message = format!("{} of {} meshes were not converted", codes.len(), inputs.len());
-        Err(Failure { code, ..Failure::bad(message) })
+        let mut failure = Failure::bad(message);
+        failure.code = code;
+        Err(failure)
     }
 
     /// Names the outputs. Refuses two of the same name.
