@@ -168,6 +168,15 @@ impl Table {
         self.rows_if(TableKind::Ratios)
     }
 
+    /// Returns the number of its rows that contradict the paper itself.
+    pub fn errata(&self) -> usize {
+        let mut reader = csv::Reader::from_reader(self.text.as_bytes());
+        let names = reader.headers().cloned().unwrap_or_default();
+        let place = names.iter().position(|name| name == "errata");
+        let has = |row: &csv::StringRecord| place.is_some_and(|place| !row[place].is_empty());
+        reader.records().flatten().filter(has).count()
+    }
+
     fn rows_if<Row: DeserializeOwned>(&self, kind: TableKind) -> Vec<Row> {
         if self.kind == kind { parse(self.text) } else { Vec::new() }
     }
@@ -234,16 +243,19 @@ impl Paper {
         }
     }
 
-    /// Returns authors, title and place.
-    pub fn citation(self) -> &'static str {
+    /// Returns authors, title, year and place of each version.
+    pub fn citations(self) -> &'static [&'static str] {
         match self {
-            Self::Comparison => {
+            Self::Comparison => &[
                 "T. Lemos, S. Ramaswami and M. Siqueira, An Experimental Comparison of Algorithms \
-                 for Converting Triangulations of Closed Surfaces into Quadrangulations"
-            }
+                 for Converting Triangulations of Closed Surfaces into Quadrangulations, full \
+                 version, 2015, http://clam.rutgers.edu/~rsuneeta/hpc/research/imr15_long.pdf",
+                "The same authors and title, research note, 24th International Meshing Roundtable \
+                 (IMR24), Elsevier, 2015; its Table 1 is Table 4.3",
+            ],
             Self::Irreducible => {
-                "S. Ramaswami and M. Siqueira, A fast algorithm for computing irreducible \
-                 triangulations of closed surfaces in E^d, CoRR arXiv:1409.6015, 2014"
+                &["S. Ramaswami and M. Siqueira, A fast algorithm for computing irreducible \
+                 triangulations of closed surfaces in E^d, CoRR arXiv:1409.6015, 2014"]
             }
         }
     }

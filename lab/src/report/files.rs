@@ -63,11 +63,15 @@ pub fn write(folder: &Path, results: &Results, extent: Extent) -> Result<Report,
     let mut files = table_files(&tables, &comparison);
     if extent == Extent::Everything {
         let (plots, pictures) = (plots::all(&summary), pictures_in(folder));
+        let tolerances = compare::tolerances(&summary);
+        let text = compare::tolerances_csv(&tolerances).into();
+        files.push(ReportFile { name: "tolerances.csv".into(), bytes: text });
         let parts = Parts {
             results,
             summary: &summary,
             tables: &tables,
             comparison: &comparison,
+            tolerances: &tolerances,
             plots: &plots,
             pictures: &pictures,
             defects: &defects,

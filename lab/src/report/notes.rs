@@ -76,7 +76,10 @@ impl Note {
             }
             Self::Incomplete => "Runs that are missing or did not end well: see the outcomes.",
             Self::TwoOfFour => "The paper measured SG and DS too, but does not print their rows.",
-            Self::OtherMachine => "Ratios: ours divided by the paper's; its machine is of 2008.",
+            Self::OtherMachine => {
+                "Seconds of the paper are of another machine and are not compared. Under a mean \
+                 stand the quartiles of its runs."
+            }
         }
         .into()
     }

@@ -21,6 +21,13 @@ pub struct LrsAgainstPs<'a> {
     plots: Vec<&'a Plot>,
 }
 
+impl LrsAgainstPs<'_> {
+    /// Returns the answer in a sentence or two.
+    pub fn answer(&self) -> &str {
+        &self.answer
+    }
+}
+
 /// PS and LRS on a mesh, as the page shows them.
 #[derive(Serialize)]
 struct DuelRow {
