@@ -64,8 +64,8 @@ pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangula
 /// A surface with its mesh.
 pub enum Built {
     Closed(Triangulation),
-    /// With boundary, or one-sided.
-    Open(OpenTriangulation),
+    /// With boundary or one-sided, and what makes it so.
+    Open(OpenTriangulation, Box<Survey>),
 }
 
 /// Reads a mesh that must be a triangulation of surfaces, closed or not, after its repairs.
@@ -85,7 +85,7 @@ pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Fail
         survey.orient(&mut mesh);
     }
     let open = OpenTriangulation::build(&mesh).map_err(|survey| refusal(path, &survey, None))?;
-    Ok((mesh, Built::Open(open)))
+    Ok((mesh, Built::Open(open, survey)))
 }
 
 /// Makes the failure of a file that could not be read or written.

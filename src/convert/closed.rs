@@ -57,6 +57,9 @@ impl Converter<'_> {
         let report = Report {
             quads,
             degree_two_vertices,
+            // The same fields whether the surface turns out to be closed or not.
+            leftover_triangles: self.open.then_some(0),
+            is_proved_fewest: self.open,
             quality,
             sharp_edges,
             check_seconds: paired.report.check_seconds + check_seconds,
