@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use triquad::{check, check_retriangulation};
+use triquad::{check, check_retriangulation, common_edges};
 
 use crate::failure::Failure;
 use crate::input::{self, Repairs};
@@ -34,15 +34,25 @@ pub struct Arguments {
 
 /// Reads both meshes and compares them.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let inputs =
+        [Some(&arguments.quads), Some(&arguments.against), arguments.triangulation.as_ref()];
+    if inputs.into_iter().flatten().filter(|path| path.as_os_str() == "-").count() > 1 {
+        let problem = "standard input can be one of the meshes only; give the others as files";
+        return Err(Failure::bad(format!("-: {problem}")));
+    }
     let status = StatusLine::new("reading the meshes");
-    let quads = input::read(&arguments.quads)?;
+    let quads = input::read(&arguments.quads, arguments.repairs.reading)?;
     let triangles = input::read_triangulation(&arguments.against, arguments.repairs)?;
+    let mut shared = String::new();
     let paired = match &arguments.triangulation {
         Some(path) => {
             let paired = input::read_triangulation(path, arguments.repairs)?;
             status.say("checking");
             check_retriangulation(&paired, &triangles)
                 .map_err(|mismatch| Failure::no(format!("{}: {mismatch}", path.display())))?;
+            let (common, all) = common_edges(&paired, &triangles);
+            let against = arguments.against.display();
+            shared = format!("; {common} of the {all} edges of the triangulation are in {against}");
             paired
         }
         None => triangles,
@@ -52,13 +62,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(status);
     let name = arguments.quads.display();
     let report = report.map_err(|mismatch| Failure::no(format!("{name}: {mismatch}")))?;
-    stdio::say(&format!(
+    stdio::say(&stdio::one_line(&format!(
         "{name}: ok: {} quads on the {} vertices of {}, {} of them of degree 2, Euler \
-         characteristic {}",
+         characteristic {}{shared}",
         report.quads,
         report.vertices,
         arguments.triangulation.as_ref().unwrap_or(&arguments.against).display(),
         report.degree_two_vertices,
         report.euler_characteristic,
-    ))
+    )))
 }

@@ -108,11 +108,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         triangles: arguments.write_triangulation.as_deref(),
         stats: arguments.stats.as_deref(),
     })?;
-    let (mesh, read_seconds) = clock.time(|| input::read(&arguments.input));
+    let (mesh, read_seconds) =
+        clock.time(|| input::read(&arguments.input, arguments.repairs.reading));
     let mut mesh = mesh?;
-    if arguments.repairs.triangulate {
-        mesh.triangulate();
-    }
+    input::triangulate(&arguments.input, &mut mesh, arguments.repairs)?;
+    let unknown_lines = mesh.unknown_lines().map(String::from);
     status.stop_after(arguments.stop_after_paths.map_or(usize::MAX, |paths| paths as usize));
     let converted = Converter::new()
         .algorithm(arguments.algorithm())
@@ -135,27 +135,39 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Ok(quads) => quads,
         Err(ConvertError::Stopped(report)) => {
             drop(status);
-            return targets.finish(&stats(&report, 0.0, &[]), &[], &report.to_string());
+            let stats = stats(&report, 0.0, &[]);
+            return targets.finish_without_mesh(&stats, &[], &report.to_string());
         }
-        Err(error) => return Err(conversion_failure(&arguments.input, &error)),
+        Err(error) => {
+            return Err(conversion_failure(&arguments.input, &error, unknown_lines.as_deref()));
+        }
     };
     status.say("writing the quads");
     let (written, write_seconds) = clock.time(|| targets.write_mesh(quads.mesh()));
     written?;
     let report = quads.report().clone();
-    let left_out = quads.mesh().left_out().to_vec();
+    let (mut left_out, mut losses) = (quads.mesh().left_out().to_vec(), quads.losses().notes());
+    if targets.drops_attributes() {
+        left_out = input::left_out_of_faces(quads.mesh());
+        losses.clear();
+    }
     if arguments.write_triangulation.is_some() {
         status.say("writing the triangles");
         targets.write_triangles(&quads.into_triangle_mesh())?;
     }
     drop(status);
-    let stats = stats(&report, write_seconds, &left_out);
-    targets.finish(&stats, &left_out, &report.to_string())
+    let all_left_out = [&left_out[..], &losses].concat();
+    let stats = stats(&report, write_seconds, &all_left_out);
+    let mut summary = report.to_string();
+    if !losses.is_empty() {
+        summary = format!("{summary}; lost: {}", losses.join(", "));
+    }
+    targets.finish(&stats, &left_out, &summary)
 }
 
-fn conversion_failure(input: &Path, error: &ConvertError) -> Failure {
+fn conversion_failure(input: &Path, error: &ConvertError, unknown: Option<&str>) -> Failure {
     match error {
-        ConvertError::Refused(survey) => input::refusal(input, survey),
+        ConvertError::Refused(survey) => input::refusal(input, survey, unknown),
         _ => Failure::no(format!("{}: {error}", input.display())),
     }
 }

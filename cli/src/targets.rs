@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::atomic_file::AtomicFile;
-use triquad::mesh::{Mesh, Output};
+use triquad::mesh::{Format, Mesh, Output, io_remedy};
 
 use crate::failure::Failure;
 use crate::{input, stdio};
@@ -71,6 +71,18 @@ impl<'a> Targets<'a> {
     /// Writes the statistics, then prints what was not carried over and the summary. In this order
     /// a failure stays a single line.
     pub fn finish(
+        self,
+        stats: &impl Serialize,
+        left_out: &[String],
+        summary: &str,
+    ) -> Result<(), Failure> {
+        let is_nothing = self.paths.output.is_none() && self.paths.triangles.is_none();
+        let tail = if is_nothing { "; nothing written: no -o" } else { "" };
+        self.finish_without_mesh(stats, left_out, &format!("{summary}{tail}"))
+    }
+
+    /// Does the same where there is no mesh to be written.
+    pub fn finish_without_mesh(
         mut self,
         stats: &impl Serialize,
         left_out: &[String],
@@ -81,7 +93,13 @@ impl<'a> Targets<'a> {
         input::tell_left_out(input, left_out);
         let target = output.filter(|&path| !is_stdio(path));
         let target = target.map(|path| format!(" -> {}", path.display())).unwrap_or_default();
-        self.report(&format!("{}{target}: {summary}", input.display()))
+        self.report(&stdio::one_line(&format!("{}{target}: {summary}", input.display())))
+    }
+
+    /// Returns whether the mesh goes to a format without attributes.
+    pub fn drops_attributes(&self) -> bool {
+        let format = self.paths.output.and_then(|path| Format::from_path(path).ok());
+        format.is_some_and(|format| format != Format::Obj)
     }
 
     /// Prints the summary on standard error if standard output takes a mesh or statistics.
@@ -101,7 +119,7 @@ fn write_to(output: Option<Output>, path: Option<&Path>, mesh: &Mesh) -> Result<
     output.write(mesh).map_err(|error| input::mesh_failure(path, &error))
 }
 
-/// Refuses targets that would mix or overwrite each other, and statistics in place of the input.
+/// Refuses targets that would mix, overwrite each other or overwrite the input.
 fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
     let Paths { input, output, triangles, stats } = paths;
     let options = [("-o", output), ("--write-triangulation", triangles), ("--stats", stats)];
@@ -117,8 +135,9 @@ fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
             }
             refuse_overwriting(one, other, path)?;
         }
+        refuse_overwriting(input, option, one)?;
     }
-    stats.map_or(Ok(()), |stats| refuse_overwriting(input, "--stats", stats))
+    Ok(())
 }
 
 /// Refuses `path`, given to `option`, if it is the file `kept`.
@@ -144,5 +163,10 @@ fn is_stdio(path: &Path) -> bool {
 }
 
 fn stats_failure(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::bad(format!("{}: {error}; check the path and its permissions", path.display()))
+    Failure::bad(format!(
+        "{}: {}; {}",
+        path.display(),
+        input::system_problem(error),
+        io_remedy(error)
+    ))
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::report::Report;
 use crate::mesh::{Faces, Mesh};
-use crate::quadrangulation::Quadrangulation;
+use crate::quadrangulation::{AttributeLosses, Quadrangulation};
 use crate::triangulation::Triangulation;
 
 /// A mesh of quads that passed its check, with its report.
@@ -14,6 +14,7 @@ pub struct Converted {
     /// The triangles that were paired.
     pub(super) triangles: Faces,
     pub(super) report: Report,
+    pub(super) losses: AttributeLosses,
 }
 
 impl Converted {
@@ -25,6 +26,11 @@ impl Converted {
     /// Returns the counts and times.
     pub fn report(&self) -> &Report {
         &self.report
+    }
+
+    /// Returns what the quads cannot keep of the attributes of the input.
+    pub fn losses(&self) -> &AttributeLosses {
+        &self.losses
     }
 
     /// Returns the triangles that were paired: those of the input but for `lrs`, which flips edges.

@@ -150,6 +150,7 @@ impl<'a> Converter<'a> {
         let check = check?;
         let attributes =
             quadrangulation.carry_attributes(&paired.triangulation, &triangulation, &mesh);
+        let losses = quadrangulation.attribute_losses(&paired.triangulation, &triangulation, &mesh);
         let mut mesh = mesh.into_owned();
         let given = mesh.replace_faces(quads);
         let triangles = flipped.unwrap_or(given);
@@ -164,7 +165,7 @@ impl<'a> Converter<'a> {
             check_seconds: paired.report.check_seconds + check_seconds,
             ..paired.report
         };
-        Ok(Converted { mesh, triangles, report })
+        Ok(Converted { mesh, triangles, report, losses })
     }
 
     /// Converts a triangulation without coordinates. The result is not checked.

@@ -3,6 +3,7 @@
 mod check;
 mod cost;
 mod edge_quad;
+mod losses;
 pub mod quality;
 mod retriangulation;
 mod sharp_edges;
@@ -15,8 +16,9 @@ pub(crate) use check::check_faces;
 pub use check::{CheckReport, Mismatch, check};
 pub use cost::{Cost, DefaultCost, ShapeCost, edge_costs};
 pub use edge_quad::EdgeQuad;
+pub use losses::{AttributeLosses, Border};
 pub(crate) use retriangulation::check_retriangulated_faces;
-pub use retriangulation::check_retriangulation;
+pub use retriangulation::{check_retriangulation, common_edges};
 pub use sharp_edges::SharpEdges;
 
 /// A quadrangulation of the surface of a triangulation, on the same vertices.
@@ -105,6 +107,21 @@ impl Quadrangulation {
             sections: self.carry_sections(&given.sections),
             libraries: given.libraries.clone(),
         })
+    }
+
+    /// Counts what the quads cannot keep of the attributes of `list`. O(n log s) for s sections.
+    ///
+    /// The arguments are those of [`Quadrangulation::carry_attributes`].
+    ///
+    /// # Panics
+    /// If `paired` is not the triangulation of the quads, or `input` has other vertices.
+    pub fn attribute_losses(
+        &self,
+        paired: &Triangulation,
+        input: &Triangulation,
+        list: &Mesh,
+    ) -> AttributeLosses {
+        losses::count(&self.removed, paired, input, list)
     }
 
     /// Moves each section to the first quad whose lower triangle is in it.

@@ -106,7 +106,7 @@ impl Law {
             Self::AtMostTwoFaces => {
                 "separate the sheets that meet there, or remove the inner faces"
             }
-            Self::NoBoundary => "close the holes, or weld duplicate vertices if the gaps are seams",
+            Self::NoBoundary => "close the holes, or use --weld if the gaps are seams",
             Self::Orientable => {
                 "only two-sided surfaces can be converted; cut it or take its double cover"
             }

@@ -4,12 +4,16 @@ mod auto_traits;
 mod common;
 mod conformance;
 mod contraction;
+#[cfg(feature = "files")]
+mod dialects;
 mod dynamic;
 #[cfg(feature = "files")]
 mod formats;
 mod irreducible;
 mod laws;
 mod matching;
+#[cfg(feature = "files")]
+mod polygons;
 #[cfg(feature = "files")]
 mod real_meshes;
 #[cfg(feature = "files")]
