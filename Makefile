@@ -1,4 +1,4 @@
-# Everything here needs a Rust toolchain and nothing else.
+# Everything here needs a Rust toolchain and nothing else, but for the two targets of Python.
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 CARGO ?= cargo
@@ -12,7 +12,7 @@ OUT ?= results/local
 # A folder with meshes of your own: scans of the papers are taken from there, others run too.
 DATA ?=
 # Feature sets of the library that must compile, separated by commas; `none` is none of them.
-FEATURES := none files serde files,serde
+FEATURES := none files serde,threads
 # Crates in the order in which they are published, and the most bytes that one may have.
 PACKAGES := triquad-generators triquad triquad-render triquad-lab triquad-cli
 PACKAGE_BYTES := 1000000
@@ -20,7 +20,7 @@ PACKAGE_BYTES := 1000000
 FUZZ_SECONDS ?= 60
 
 .PHONY: help build reproduce demo compare report test check features dependencies bench fuzz package
-.PHONY: clean toolchain
+.PHONY: clean toolchain python test-python
 
 help:
 	@echo "make reproduce  the papers' experiments: small ones first, a page after a minute; then all of"
@@ -30,6 +30,8 @@ help:
 	@echo "make report     tables, plots and the page of OUT, made anew from its records"
 	@echo "make build      the tool, target/release/triquad"
 	@echo "make test       format, lints, documentation, all tests; ends with the tests that skipped"
+	@echo "make python     the wheel of the Python package, into target/wheels; needs Python 3.10 or newer"
+	@echo "make test-python  its tests, in a virtual environment"
 	@echo "make bench      times and memory; MESHES='a.obj b.ply' for your own, LEMON=program for a yardstick"
 	@echo "make fuzz       every reader on arbitrary bytes, FUZZ_SECONDS each; needs cargo-fuzz"
 	@echo "make package    the crates as they are published, checked"
@@ -57,9 +59,9 @@ report: build
 
 check: toolchain dependencies
 	$(CARGO) fmt --all --check
-	$(CARGO) clippy --workspace --all-targets -- -D warnings
+	$(CARGO) clippy --workspace --exclude triquad-python --all-targets -- -D warnings
 	$(MAKE) --no-print-directory features
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --no-deps --quiet
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --exclude triquad-python --no-deps --quiet
 
 # The default features are checked with the workspace.
 features: toolchain
@@ -78,8 +80,14 @@ dependencies: toolchain
 	[ "$$bare" -le 15 ] && [ "$$default" -le 42 ] || { echo "at most 15 and 42 are allowed" >&2; exit 1; }
 
 test: check
-	$(CARGO) test --workspace -- --include-ignored --show-output 2>&1 | tee $(TARGET)/tests.log
+	$(CARGO) test --workspace --exclude triquad-python -- --include-ignored --show-output 2>&1 | tee $(TARGET)/tests.log
 	@.ci/skipped $(TARGET)/tests.log
+
+python: toolchain
+	@.ci/python build
+
+test-python: toolchain
+	@.ci/python test
 
 bench: toolchain
 	$(CARGO) bench --bench speed
@@ -90,7 +98,7 @@ fuzz: toolchain
 	done
 
 package: toolchain
-	$(CARGO) package --workspace
+	$(CARGO) package --workspace --exclude triquad-python
 	@version=$$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1); \
 	for name in $(PACKAGES); do \
 	  bytes=$$(wc -c <"$(TARGET)/package/$$name-$$version.crate"); \

@@ -96,6 +96,20 @@ impl AtomicFile {
         Ok(Self(kind))
     }
 
+    /// Waits until what was written is on the disk, so that a power cut cannot leave an empty file
+    /// under the name of the target.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    pub fn sync(&mut self) -> io::Result<()> {
+        self.flush()?;
+        match &self.0 {
+            // A device has nothing to wait for, and some refuse to.
+            Kind::Direct(_) => Ok(()),
+            kind => kind.file().sync_all(),
+        }
+    }
+
     /// Gives the complete file the name of its target, in place of a file that has it.
     ///
     /// # Errors

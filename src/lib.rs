@@ -21,6 +21,8 @@
 //! | convert arrays that I have in memory | [`Mesh::from_triangles`], [`Converter`] |
 //! | see what is wrong with a mesh | [`Survey::new`] |
 //! | say what a good quad is | [`Converter::cost`], [`Cost`] |
+//! | keep some edges | [`Converter::keep`], [`quadrangulation::Keep`] |
+//! | convert surfaces with boundary | [`Converter::open`] |
 //! | solve a minimum-cost perfect matching | [`matching::weighted`] |
 //! | choose how triangles are paired | [`Converter::algorithm`], [`pairing`] |
 //! | write a pairing algorithm | [`DualGraph`], [`Matching`], [`make_maximum`], `examples/own_pairing.rs` |
@@ -30,7 +32,9 @@
 //!
 //! # Features
 //!
-//! * `files` (default): mesh files. Without it the crate has the algorithms and three dependencies.
+//! * `files` (default): mesh files. Without it and `threads` the crate has three dependencies.
+//! * `threads` (default): building, costs and checks on all threads of rayon's current pool. Results
+//!   are the same on any number of threads, and without the feature.
 //! * `serde`: ids, names, counts and reports as serde data.
 //!
 //! # Modules
@@ -71,6 +75,7 @@ pub mod matching;
 pub mod mesh;
 mod names;
 pub mod pairing;
+mod parallel;
 mod prefetch;
 pub mod quadrangulation;
 pub mod random;

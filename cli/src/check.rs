@@ -1,21 +1,28 @@
 //! `triquad check`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use triquad::{check, check_retriangulation, common_edges};
+use triquad::pairing::Proof;
+use triquad::quadrangulation::check_mixed;
+use triquad::triangulation::Surface;
+use triquad::{
+    CheckReport, DualGraph, Matching, Mesh, Mismatch, check, check_retriangulation, common_edges,
+};
 
 use crate::failure::Failure;
-use crate::input::{self, Repairs};
+use crate::input::{self, Built, Repairs};
 use crate::progress::StatusLine;
-use crate::stdio;
+use crate::{aims, certificate, stdio};
 
 /// Check that a quad mesh is a quadrangulation of a triangle mesh
 ///
 /// From the two files alone: the same vertices, every quad the union of two triangles across their
 /// common edge, every triangle in exactly one quad, closed, oriented, one fan round every vertex,
-/// the same Euler characteristic. Exit code 1 and one line if not.
+/// the same Euler characteristic. Of surfaces with boundary and one-sided ones triangles may be left
+/// over, each a face of its own. Exit code 1 and one line if not.
 #[derive(clap::Args)]
-#[command(after_help = "Example: triquad check quads.obj --against bunny.obj")]
+#[command(after_help = "Examples:\n  triquad check quads.obj --against bunny.obj\n  \
+                        triquad check quads.obj --against bunny.obj --certificate proof.txt")]
 pub struct Arguments {
     /// The quad mesh
     #[arg(value_name = "QUADS")]
@@ -26,8 +33,18 @@ pub struct Arguments {
     /// The triangulation whose triangles were paired, as convert --write-triangulation writes it,
     /// if it is not TRIANGLES: the quads are checked against it, and it must triangulate the
     /// surface of TRIANGLES on the same vertices
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_name = "K", conflicts_with_all = ["open", "certificate"])]
     triangulation: Option<PathBuf>,
+    /// Allow triangles that are left over, on closed surfaces, too
+    #[arg(long)]
+    open: bool,
+    /// Check a proof that convert --certificate has written: that no other pairing is better by
+    /// what the file states. Costs, edges to keep and the bound are computed anew
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+    /// The costs, one integer an edge, if the certificate is about a file of costs
+    #[arg(long, value_name = "FILE", requires = "certificate")]
+    cost: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
 }
@@ -42,14 +59,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let status = StatusLine::new("reading the meshes");
     let quads = input::read(&arguments.quads, arguments.repairs.reading)?;
-    let triangles = input::read_triangulation(&arguments.against, arguments.repairs)?;
+    let (triangles, surface) = input::read_surface(&arguments.against, arguments.repairs)?;
+    let proved = match &arguments.certificate {
+        Some(path) => Some(Statement::read(path, arguments.cost.as_deref())?),
+        None => None,
+    };
     let mut shared = String::new();
     let paired = match &arguments.triangulation {
         Some(path) => {
-            let paired = input::read_triangulation(path, arguments.repairs)?;
-            status.say("checking");
-            check_retriangulation(&paired, &triangles)
-                .map_err(|mismatch| Failure::no(format!("{}: {mismatch}", path.display())))?;
+            let paired = read_paired(path, arguments, &triangles)?;
             let (common, all) = common_edges(&paired, &triangles);
             let against = arguments.against.display();
             shared = format!("; {common} of the {all} edges of the triangulation are in {against}");
@@ -58,17 +76,121 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         None => triangles,
     };
     status.say("checking");
-    let report = check(&quads, &paired);
+    let may_leave = arguments.open || proved.as_ref().is_some_and(Statement::may_leave);
+    let is_closed = matches!(surface, Built::Closed(_));
+    let no = |mismatch: &Mismatch, quads: &Mesh| {
+        Failure::no(format!("{}: {}", arguments.quads.display(), explain(mismatch, quads)))
+    };
+    let is_plain = is_closed && !may_leave;
+    let mixed = match is_plain && proved.is_none() {
+        true => None,
+        false => Some(check_mixed(&quads, &paired).map_err(|mismatch| no(&mismatch, &quads))?),
+    };
+    let report = match &mixed {
+        Some(mixed) if !is_plain => mixed.report,
+        _ => check(&quads, &paired).map_err(|mismatch| no(&mismatch, &quads))?,
+    };
+    let proof = match (&proved, &mixed) {
+        (Some(statement), Some(mixed)) => match &surface {
+            Built::Closed(surface) => statement.verify(surface, &paired, &mixed.matching)?,
+            Built::Open(surface) => statement.verify(surface, &paired, &mixed.matching)?,
+        },
+        _ => String::new(),
+    };
     drop(status);
-    let name = arguments.quads.display();
-    let report = report.map_err(|mismatch| Failure::no(format!("{name}: {mismatch}")))?;
-    stdio::say(&stdio::one_line(&format!(
-        "{name}: ok: {} quads on the {} vertices of {}, {} of them of degree 2, Euler \
-         characteristic {}{shared}",
+    stdio::summarise(&stdio::one_line(&(describe(arguments, &report) + &shared + &proof)))
+}
+
+/// Reads the triangulation whose triangles were paired.
+fn read_paired(path: &Path, arguments: &Arguments, given: &Mesh) -> Result<Mesh, Failure> {
+    let paired = input::read_triangulation(path, arguments.repairs)?;
+    check_retriangulation(&paired, given)
+        .map_err(|mismatch| Failure::no(format!("{}: {mismatch}", path.display())))?;
+    Ok(paired)
+}
+
+/// Words a mismatch; says so if the face in question is a triangle.
+fn explain(mismatch: &Mismatch, quads: &Mesh) -> String {
+    match mismatch {
+        Mismatch::NotAQuad(face) if quads.faces().get(*face).is_some_and(|f| f.len() == 3) => {
+            format!("{mismatch}; --open allows triangles that are left over")
+        }
+        _ => mismatch.to_string(),
+    }
+}
+
+/// Writes what was found to be right.
+fn describe(arguments: &Arguments, report: &CheckReport) -> String {
+    let left = match report.triangles {
+        0 => String::new(),
+        1 => " and 1 triangle".into(),
+        more => format!(" and {more} triangles"),
+    };
+    format!(
+        "{}: ok: {} quads{left} on the {} vertices of {}, {} of them of degree 2, Euler \
+         characteristic {}",
+        arguments.quads.display(),
         report.quads,
         report.vertices,
         arguments.triangulation.as_ref().unwrap_or(&arguments.against).display(),
         report.degree_two_vertices,
         report.euler_characteristic,
-    )))
+    )
+}
+
+/// A certificate and the file that it was read from.
+struct Statement<'a> {
+    path: &'a Path,
+    stated: certificate::Stated,
+}
+
+impl<'a> Statement<'a> {
+    fn read(path: &'a Path, costs: Option<&Path>) -> Result<Self, Failure> {
+        let mut stated = certificate::read(path)?;
+        let name = path.display();
+        match (costs, stated.costs_are_listed) {
+            (Some(costs), true) => stated.aims.listed_costs = Some(aims::read_costs(costs)?),
+            (None, false) => {}
+            (None, true) => {
+                return Err(Failure::bad(format!("{name}: is about costs in a file; add --cost")));
+            }
+            (Some(_), false) => {
+                let remedy = "leave --cost out";
+                return Err(Failure::bad(format!("{name}: is about costs of its own; {remedy}")));
+            }
+        }
+        Ok(Self { path, stated })
+    }
+
+    /// Returns whether triangles may be left on closed surfaces.
+    fn may_leave(&self) -> bool {
+        self.stated.aims.strict || self.stated.aims.price.is_some()
+    }
+
+    /// Verifies that the pairing is the best; returns words for what is proved.
+    fn verify(
+        &self,
+        surface: &impl Surface,
+        triangles: &Mesh,
+        matching: &Matching,
+    ) -> Result<String, Failure> {
+        let certificate::Stated { aims, certificate, barrier, .. } = &self.stated;
+        let name = self.path.display();
+        let objective = aims.objective(surface, triangles);
+        let objective = objective.map_err(|error| Failure::no(format!("{name}: {error}")))?;
+        let dual = DualGraph::new(surface);
+        let kept = objective.kept().len();
+        let proof = Proof::new(objective, certificate.clone(), barrier.clone(), &dual, matching);
+        let verdict = proof.verify(&dual, matching);
+        verdict.map_err(|error| Failure::no(format!("{name}: does not prove it: {error}")))?;
+        let fewest = match (aims.price, matching.unpaired_count()) {
+            (None, left) if left > 0 => format!("no pairing leaves fewer than {left} triangles, "),
+            _ => String::new(),
+        };
+        let given_up = match kept {
+            0 => String::new(),
+            all => format!("none gives up fewer than {} of {all} edges, ", proof.given_up.len()),
+        };
+        Ok(format!("; proved: {fewest}{given_up}none costs less than {}", proof.cost))
+    }
 }

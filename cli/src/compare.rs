@@ -1,8 +1,10 @@
 //! `triquad compare`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use triquad_lab::report::{Judged, Summary, Verdict, compare};
+use triquad_lab::experiment::Results;
+use triquad_lab::report::baseline::{self, BaselineTable};
+use triquad_lab::report::{self as lab_report, Judged, Summary, Verdict, compare};
 
 use crate::failure::Failure;
 use crate::{report, stdio};
@@ -11,24 +13,35 @@ use crate::{report, stdio};
 ///
 /// A line a claim: verdict, name, our number, the paper's; why, where it is not reproduced. Counts
 /// of verdicts at the end. Claims that differ are no failure.
+///
+/// With --baseline: the tables instead, number by number: ours, the baseline's, their ratio and 95 %
+/// of its bootstrap where something was repeated. They are written to DIR/baseline too.
 #[derive(clap::Args)]
-#[command(after_help = "Example: triquad compare results/laptop")]
+#[command(after_help = "Examples:\n  \
+                        triquad compare results/laptop\n  \
+                        triquad compare results/laptop --baseline paper\n  \
+                        triquad compare results/laptop --baseline results/desktop")]
 pub struct Arguments {
     /// The results folder
     #[arg(value_name = "DIR")]
     folder: PathBuf,
+    /// What to compare the tables with: 'paper', or another results folder
+    #[arg(long, value_name = "paper|DIR")]
+    baseline: Option<PathBuf>,
 }
 
-/// Prints the verdicts.
+/// Prints the verdicts, or the tables against the baseline.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let folder = arguments.folder.display();
     let results = report::read(&arguments.folder)?;
-    if results.records.is_empty() {
-        return Err(Failure::bad(format!(
-            "{folder}: runs.csv has no records; 'triquad run' adds some"
-        )));
+    let summary = Summary::new(&results);
+    match &arguments.baseline {
+        None => print_verdicts(&summary),
+        Some(baseline) => print_baseline(&arguments.folder, &summary, baseline),
     }
-    let comparison = compare::judge(&Summary::new(&results));
+}
+
+fn print_verdicts(summary: &Summary) -> Result<(), Failure> {
+    let comparison = compare::judge(summary);
     let width = comparison.verdicts.iter().map(|judged| judged.id.len()).max().unwrap_or(0);
     for judged in &comparison.verdicts {
         stdio::say(&line(judged, width))?;
@@ -50,4 +63,60 @@ fn line(judged: &Judged, width: usize) -> String {
         judged.verdict.name(),
         judged.id
     )
+}
+
+fn print_baseline(folder: &Path, summary: &Summary, with: &Path) -> Result<(), Failure> {
+    let tables = if with.as_os_str() == "paper" {
+        baseline::against_paper(summary)
+    } else {
+        let theirs: Results = report::read(with)?;
+        baseline::against(summary, &Summary::new(&theirs))
+    };
+    if tables.is_empty() {
+        return Err(Failure::bad(format!(
+            "{}: no number stands in the same place of a table of {}; the two share no mesh with \
+             the same algorithm",
+            folder.display(),
+            with.display()
+        )));
+    }
+    let written = lab_report::write_baseline(folder, &tables)
+        .map_err(|error| Failure::bad(error.to_string()))?;
+    for table in &tables {
+        print_table(table)?;
+    }
+    let numbers: usize = tables.iter().map(|table| table.rows.len()).sum();
+    stdio::say(&format!(
+        "{}: {numbers} numbers of {} tables, ours divided by those of {}",
+        written.display(),
+        tables.len(),
+        with.display()
+    ))
+}
+
+/// Prints the columns of a table under each other.
+fn print_table(table: &BaselineTable) -> Result<(), Failure> {
+    stdio::say(&format!("{}: {}", table.file, table.title))?;
+    let header = ["mesh", "algorithm", "number", "ours", "theirs", "ratio", "95 %", ""];
+    let mut lines = vec![header.map(str::to_owned)];
+    lines.extend(table.rows.iter().map(|row| {
+        let mut fields = row.fields();
+        let [.., low, high] = &mut fields;
+        if !low.is_empty() {
+            *low = format!("[{low}, {high}]");
+        }
+        high.clear();
+        fields
+    }));
+    let width = |at: usize| lines.iter().map(|line| line[at].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..header.len()).map(width).collect();
+    for line in &lines {
+        let padded = line.iter().zip(&widths).enumerate().map(|(at, (field, &width))| match at {
+            3..=5 => format!("{field:>width$}"),
+            _ => format!("{field:<width$}"),
+        });
+        let line = padded.collect::<Vec<_>>().join("  ");
+        stdio::say(&format!("  {}", line.trim_end()))?;
+    }
+    stdio::say("")
 }

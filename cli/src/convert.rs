@@ -4,28 +4,32 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
-use triquad::{
-    Algorithm, Augmentation, ConvertError, Converter, Cost, DefaultCost, Expansion, Report,
-    ShapeCost,
-};
+use triquad::irreducible::Discipline;
+use triquad::pairing::LRS_ORDER;
+use triquad::{Algorithm, Augmentation, ConvertError, Converter, Expansion, Mesh, Report};
 
+use crate::aims::{AimOptions, ReadAims};
 use crate::failure::Failure;
 use crate::formats::{may_write, reads};
 use crate::input::{self, Repairs};
-use crate::machine;
 use crate::names::one_of;
 use crate::progress::StatusLine;
+use crate::several::Several;
 use crate::targets::{Paths, Targets};
+use crate::{certificate, comparison, machine, stdio};
 
-/// Convert a closed triangle mesh into quads on the same vertices
+/// Convert a triangle mesh into quads on the same vertices
 ///
 /// Every quad is the union of two triangles of the input (of another triangulation for lrs, which
 /// flips edges); no vertex is added, removed or moved, and the result is checked before it is
-/// written. Texture coordinates, normals, groups and materials of an OBJ file are carried over to
+/// written. On a closed surface no triangle is left over. Texture coordinates, normals, groups and materials of an OBJ file are carried over to
 /// OBJ output.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(after_help = "Examples:\n  triquad convert bunny.ply.gz -o quads.obj\n  \
                         triquad convert scan.obj --algorithm ps --seed 7 --stats -\n  \
+                        triquad convert scans/*.stl --out-dir quads --format obj\n  \
+                        triquad convert part.obj --keep-sharp 30 -o quads.obj --given-up lost.txt\n  \
+                        triquad convert terrain.obj --open -o mixed.obj\n  \
                         cat part.obj | triquad convert - -o - > quads.obj")]
 pub struct Arguments {
     #[arg(value_name = "IN", help = reads("The triangle mesh"))]
@@ -39,17 +43,18 @@ pub struct Arguments {
     #[arg(long, default_value = "best", value_name = "NAME")]
     #[arg(value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
-    /// What best minimises the sum of: default (shape, folded quads and sharp edges weighed) or
-    /// shape (10000 times 1 less the scaled Jacobian, rounded)
-    #[arg(long, default_value = "default", value_name = "NAME")]
-    #[arg(value_parser = ["default", "shape"])]
-    cost: String,
     /// How lrs expands: printed (as published) or few-flips (ours: looks for another pairing before
     /// it flips an edge)
     #[arg(long, default_value = "printed", value_name = "NAME")]
     #[arg(value_parser = one_of(Expansion::ALL, Expansion::id))]
     lrs_variant: Expansion,
-    /// How the pairing is made perfect: local (ours) or tarjan (as published, slow on purpose)
+    /// The order in which lrs tests the edges at a vertex: stack (new ones first, fewer edges are
+    /// flipped) or queue (as printed)
+    #[arg(long, default_value = LRS_ORDER.id(), value_name = "NAME")]
+    #[arg(value_parser = one_of(Discipline::ALL, Discipline::id))]
+    lrs_order: Discipline,
+    /// How the pairing is made perfect: local (ours), tarjan (as published, slow on purpose) or
+    /// rebuild (as tarjan, the graph set up anew for each path)
     #[arg(long, default_value = "local", value_name = "NAME")]
     #[arg(value_parser = one_of(Augmentation::ALL, Augmentation::id))]
     augmentation: Augmentation,
@@ -69,6 +74,26 @@ pub struct Arguments {
     write_triangulation: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
+    /// Take surfaces with boundary and one-sided ones: the fewest triangles are left over, provably,
+    /// and written as triangles. For best, tq, ps and sg
+    #[arg(long)]
+    open: bool,
+    #[command(flatten)]
+    aims: AimOptions,
+    /// Write the proof that the pairing is the best, for check --certificate. For best
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+    /// Write the edges to keep that were given up: two vertex numbers a line
+    #[arg(long, value_name = "FILE")]
+    given_up: Option<PathBuf>,
+    /// Write nothing, but print a table of all algorithms with the quality and the time of each
+    #[arg(long, conflicts_with_all = [
+        "output", "stats", "write_triangulation", "certificate", "given_up", "stop_after_paths",
+        "algorithm",
+    ])]
+    compare: bool,
+    #[command(flatten)]
+    several: Several,
 }
 
 impl Arguments {
@@ -80,8 +105,26 @@ impl Arguments {
         }
     }
 
-    fn cost(&self) -> &'static dyn Cost {
-        if self.cost == "shape" { &ShapeCost } else { &DefaultCost }
+    /// Returns a converter with all options but the algorithm and the aims of best.
+    fn converter<'a>(&self, progress: &'a mut StatusLine) -> Converter<'a> {
+        Converter::new()
+            .augmentation(self.augmentation)
+            .seed(self.seed)
+            .orient(self.repairs.orient)
+            .open(self.open)
+            .progress(progress)
+    }
+
+    /// Refuses options that mean nothing together.
+    fn check(&self) -> Result<(), Failure> {
+        self.aims.check()?;
+        if self.certificate.is_some() && self.algorithm != Algorithm::Best {
+            let algorithm = self.algorithm;
+            return Err(Failure::bad(format!(
+                "--certificate: {algorithm} proves nothing about costs; use --algorithm best"
+            )));
+        }
+        Ok(())
     }
 }
 
@@ -98,8 +141,18 @@ struct Stats<'a> {
     left_out: &'a [String],
 }
 
-/// Reads, converts, checks, writes.
+/// Converts one mesh, or several.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let Arguments { input, output, several, .. } = arguments;
+    several.each(input, output.as_deref(), |input, output| {
+        let (input, output) = (input.to_owned(), output.map(Path::to_owned));
+        convert(&Arguments { input, output, ..arguments.clone() })
+    })
+}
+
+/// Reads, converts, checks, writes.
+fn convert(arguments: &Arguments) -> Result<(), Failure> {
+    arguments.check()?;
     let clock = SystemClock::default();
     let mut status = StatusLine::new("reading the mesh");
     let mut targets = Targets::open(Paths {
@@ -107,20 +160,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         output: arguments.output.as_deref(),
         triangles: arguments.write_triangulation.as_deref(),
         stats: arguments.stats.as_deref(),
+        certificate: arguments.certificate.as_deref(),
+        given_up: arguments.given_up.as_deref(),
     })?;
-    let (mesh, read_seconds) =
-        clock.time(|| input::read(&arguments.input, arguments.repairs.reading));
+    let aims = arguments.aims.read()?;
+    let reading = arguments.repairs.reading;
+    let (mesh, read_seconds) = clock.time(|| input::read(&arguments.input, reading));
     let mut mesh = mesh?;
     input::triangulate(&arguments.input, &mut mesh, arguments.repairs)?;
     let unknown_lines = mesh.unknown_lines().map(String::from);
+    if arguments.compare {
+        return compare(arguments, &mesh, &aims, status);
+    }
     status.stop_after(arguments.stop_after_paths.map_or(usize::MAX, |paths| paths as usize));
-    let converted = Converter::new()
+    let converted = arguments
+        .converter(&mut status)
         .algorithm(arguments.algorithm())
-        .augmentation(arguments.augmentation)
-        .seed(arguments.seed)
-        .cost(arguments.cost())
-        .orient(arguments.repairs.orient)
-        .progress(&mut status)
+        .lrs_order(arguments.lrs_order)
+        .aims(aims.aims.clone())
+        .keep_proof(arguments.certificate.is_some())
         .run(mesh);
     let stats = |report, write_seconds, left_out| Stats {
         schema: "triquad-convert-1",
@@ -139,12 +197,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             return targets.finish_without_mesh(&stats, &[], &report.to_string());
         }
         Err(error) => {
-            return Err(conversion_failure(&arguments.input, &error, unknown_lines.as_deref()));
+            return Err(conversion_failure(arguments, &aims, &error, unknown_lines.as_deref()));
         }
     };
     status.say("writing the quads");
     let (written, write_seconds) = clock.time(|| targets.write_mesh(quads.mesh()));
     written?;
+    if let Some(proof) = quads.proof() {
+        targets.write_certificate(|mut out| certificate::write(&mut out, &aims, proof))?;
+    }
+    targets.write_given_up(quads.given_up())?;
     let report = quads.report().clone();
     let (mut left_out, mut losses) = (quads.mesh().left_out().to_vec(), quads.losses().notes());
     if targets.drops_attributes() {
@@ -165,9 +227,54 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     targets.finish(&stats, &left_out, &summary)
 }
 
-fn conversion_failure(input: &Path, error: &ConvertError, unknown: Option<&str>) -> Failure {
+/// Converts by every algorithm and prints a table.
+fn compare(
+    arguments: &Arguments,
+    mesh: &Mesh,
+    aims: &ReadAims,
+    mut status: StatusLine,
+) -> Result<(), Failure> {
+    let mut table = comparison::Table::new(&aims.aims);
+    for algorithm in Algorithm::ALL {
+        let named = match algorithm {
+            Algorithm::Lrs(_) => Algorithm::Lrs(arguments.lrs_variant),
+            other => other,
+        };
+        let mut converter = arguments.converter(&mut status).algorithm(named);
+        if named == Algorithm::Best {
+            converter = converter.aims(aims.aims.clone());
+        }
+        match converter.run(mesh) {
+            Ok(converted) => table.add(converted),
+            Err(ConvertError::NeedsClosed(_)) => table.skip(named),
+            Err(error) => {
+                return Err(conversion_failure(arguments, aims, &error, mesh.unknown_lines()));
+            }
+        }
+    }
+    drop(status);
+    stdio::say(&table.to_string())
+}
+
+fn conversion_failure(
+    arguments: &Arguments,
+    aims: &ReadAims,
+    error: &ConvertError,
+    unknown_lines: Option<&str>,
+) -> Failure {
+    let input = &arguments.input;
+    if let Some(failure) = aims.failure(input, error) {
+        return failure;
+    }
     match error {
-        ConvertError::Refused(survey) => input::refusal(input, survey, unknown),
+        ConvertError::Refused(survey) => {
+            let opens = !arguments.open && survey.is_open_surface(arguments.repairs.orient);
+            let remedy = opens.then_some("--open converts it and leaves the fewest triangles");
+            input::refusal(input, survey, remedy, unknown_lines)
+        }
+        ConvertError::NeedsClosed(_) | ConvertError::NeedsBest { .. } => {
+            Failure::bad(format!("{}: {error}", input.display()))
+        }
         _ => Failure::no(format!("{}: {error}", input.display())),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use triquad_lab::experiment::data_folder::{self, DataMesh};
+use triquad_lab::experiment::data_folder::{self, DataSurvey};
 use triquad_lab::experiment::estimate::Estimate;
 use triquad_lab::experiment::plan::Plan;
 use triquad_lab::experiment::spec::Experiment;
@@ -59,7 +59,9 @@ impl Selection {
             }
             experiments.push(experiment);
         }
-        let plan = Plan::new(&experiments, self.scale, &self.data()?);
+        let data = self.data()?;
+        data.remarks.iter().for_each(|remark| stdio::complain(remark));
+        let plan = Plan::new(&experiments, self.scale, &data.meshes);
         let mut plan = plan.map_err(|error| {
             Failure::bad(format!("{error}; name its folder with --data, or take it out"))
         })?;
@@ -70,7 +72,7 @@ impl Selection {
         Ok(plan)
     }
 
-    fn data(&self) -> Result<Vec<DataMesh>, Failure> {
+    fn data(&self) -> Result<DataSurvey, Failure> {
         data_folder::survey(&self.data)
             .map_err(|error| Failure::bad(format!("{error}; --data names a folder with meshes")))
     }

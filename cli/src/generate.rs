@@ -7,7 +7,7 @@ use triquad::clock::{Clock, SystemClock};
 use triquad::mesh::Output;
 use triquad::simplify::Shape;
 use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
-use triquad_lab::meshes::{BoxShape, Cache, GenerateError, Recipe};
+use triquad_lab::meshes::{BoxShape, Cache, GenerateError, PaperBox, Recipe, Walls};
 
 use crate::failure::Failure;
 use crate::formats::writes;
@@ -22,6 +22,7 @@ use crate::{input, stdio};
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
                   triquad generate box --vertices 5000 --cavities 20 --holes 5 -o box.obj\n  \
+                  triquad generate paper-box --shafts 20 --holes 30 -o box.obj\n  \
                   triquad generate stand-in --vertices 20000 --genus 5 --seed 1 -o blob.ply\n  \
                   triquad generate paper A1 -o a1.obj")]
 pub struct Arguments {
@@ -32,6 +33,7 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum MeshCommand {
     Box(BoxArguments),
+    PaperBox(PaperBoxArguments),
     StandIn(StandInArguments),
     Paper(PaperArguments),
 }
@@ -52,6 +54,37 @@ struct BoxArguments {
     #[arg(long, value_name = "H", default_value_t = 0)]
     holes: u32,
     /// Taken for the sake of uniformity: nothing about a box is random
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    #[command(flatten)]
+    target: Target,
+}
+
+/// A box like the papers': deep shafts one cell wide, one cell apart, on a square lattice
+///
+/// With the default options it is A1, with --holes 3500 it is B1. The box is 2 M + 1 by 2 M + 3 by
+/// D + 2 cells; horizontal cells are cut in four, the others in two. A hole in place of a cavity
+/// costs 2 vertices and 8 triangles.
+#[derive(Args)]
+#[command(
+    after_help = "Example: triquad generate paper-box --shafts 20 --depth 40 --holes 30 -o box.obj"
+)]
+struct PaperBoxArguments {
+    /// Shafts in a row of the array, and rows
+    #[arg(long, value_name = "M", default_value_t = PaperBox::PUBLISHED.shafts)]
+    shafts: u32,
+    /// Depth of a cavity in cells
+    #[arg(long, value_name = "D", default_value_t = PaperBox::PUBLISHED.depth)]
+    depth: u32,
+    /// Shafts that go through: the genus
+    #[arg(long, value_name = "H", default_value_t = 0)]
+    holes: u32,
+    /// How the diagonals of the four walls of a shaft lie: alternating, equal, paired (opposite
+    /// walls parallel) or drawn (for each wall, by --seed)
+    #[arg(long, default_value = "alternating", value_name = "NAME")]
+    #[arg(value_parser = one_of(Walls::ALL, Walls::id))]
+    walls: Walls,
+    /// Seed of --walls drawn; the same seed gives the same bytes
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
     #[command(flatten)]
@@ -122,6 +155,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             let shape = BoxShape { cavities: *cavities, holes: *holes, vertices: *vertices };
             (Recipe::Box(shape), *holes, target, None)
         }
+        MeshCommand::PaperBox(PaperBoxArguments { shafts, depth, holes, walls, seed, target }) => {
+            let shape = PaperBox { shafts: *shafts, depth: *depth, holes: *holes };
+            (Recipe::PaperBox { shape, walls: *walls, seed: *seed }, *holes, target, None)
+        }
         MeshCommand::StandIn(StandInArguments { vertices, genus, seed, target, cache }) => {
             let recipe = Recipe::StandIn { vertices: *vertices, genus: *genus, seed: *seed };
             (recipe, *genus, target, cache.folder())
@@ -177,6 +214,7 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
 fn failure(recipe: &Recipe, error: &GenerateError) -> Failure {
     let remedy = match error {
         GenerateError::Box(_) => "ask for another number of vertices",
+        GenerateError::PaperBox(_) => "ask for other numbers of shafts and holes, or another depth",
         GenerateError::TooLarge { .. } => "ask for fewer vertices or a smaller genus",
         GenerateError::Simplify(_) => "ask for more vertices",
         GenerateError::Cache { .. } => "check its permissions, or name another folder with --cache",

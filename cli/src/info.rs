@@ -20,9 +20,6 @@ use crate::{input, stdio};
 pub struct Arguments {
     #[arg(value_name = "IN", help = reads("The mesh"))]
     input: PathBuf,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
     #[command(flatten)]
     reading: Reading,
 }
@@ -40,12 +37,16 @@ struct Info {
     quads: usize,
     euler_characteristic: i64,
     genus: Option<usize>,
+    non_orientable_genus: Option<usize>,
     components: usize,
     boundary_loops: usize,
     orientable: bool,
     closed: bool,
     /// Known where the mesh is not closed.
     closed_by_welding: Option<bool>,
+    /// True if `convert --open` takes the mesh and `convert` alone does not.
+    #[serde(skip)]
+    is_open_surface: bool,
     violations: Vec<Broken>,
     left_out: Vec<String>,
 }
@@ -68,7 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     status.say("examining the mesh");
     let info = Info::new(arguments.input.display().to_string(), &mesh);
     drop(status);
-    let text = if arguments.json {
+    let text = if stdio::voice().json {
         serde_json::to_string_pretty(&info).map_err(|error| Failure::bad(error.to_string()))?
     } else {
         describe(&info)
@@ -79,8 +80,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         1 => "a law".into(),
         laws => format!("{laws} laws"),
     };
-    let input = &info.input;
-    Err(Failure::bad(format!("{input}: breaks {laws}, it cannot be converted as it is")))
+    let way = match info.is_open_surface {
+        true => "it can be converted with 'triquad convert --open' only",
+        false => "it cannot be converted as it is",
+    };
+    Err(Failure::bad(format!("{}: breaks {laws}, {way}", info.input)))
 }
 
 const SCHEMA: &str = "triquad-info-1";
@@ -114,11 +118,13 @@ impl Info {
             quads: 0,
             euler_characteristic: triangulation.euler_characteristic(),
             genus: Some(triangulation.genus()),
+            non_orientable_genus: None,
             components: triangulation.component_count(),
             boundary_loops: 0,
             orientable: true,
             closed: true,
             closed_by_welding: None,
+            is_open_surface: false,
             violations: Vec::new(),
             left_out: Vec::new(),
         }
@@ -136,11 +142,13 @@ impl Info {
             quads: 0,
             euler_characteristic: survey.euler_characteristic,
             genus: survey.genus(),
+            non_orientable_genus: survey.non_orientable_genus(),
             components: survey.components,
             boundary_loops: survey.boundary_loops,
             orientable: survey.orientable,
             closed: survey.closed,
             closed_by_welding: None,
+            is_open_surface: survey.is_open_surface(false),
             violations: survey.violations.iter().map(Broken::from).collect(),
             left_out: Vec::new(),
         }
@@ -169,6 +177,7 @@ impl From<&Violation> for Broken {
 fn describe(info: &Info) -> String {
     let genus = info.genus.map(|genus| genus.to_string());
     let yes_no = |yes| String::from(if yes { "yes" } else { "no" });
+    let cross_caps = info.non_orientable_genus.map(|genus| genus.to_string());
     let closed = match info.closed_by_welding {
         Some(true) => "no, but it is with --weld: vertices are at equal coordinates".into(),
         _ => yes_no(info.closed),
@@ -180,13 +189,14 @@ fn describe(info: &Info) -> String {
         ("faces", format!("{} ({})", info.faces, kinds_of_faces(info))),
         ("Euler characteristic", info.euler_characteristic.to_string()),
         ("genus", genus.unwrap_or("none (not a closed, two-sided surface)".into())),
+        ("non-orientable genus", cross_caps.unwrap_or_default()),
         ("components", info.components.to_string()),
         ("boundary loops", info.boundary_loops.to_string()),
         ("orientable", yes_no(info.orientable)),
         ("closed", closed),
     ];
     let mut text = stdio::one_line(&info.input);
-    for (name, value) in rows {
+    for (name, value) in rows.into_iter().filter(|(_, value)| !value.is_empty()) {
         let _ = write!(text, "\n  {name:<21}  {value}");
     }
     for what in &info.left_out {

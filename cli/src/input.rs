@@ -3,13 +3,14 @@
 use std::path::Path;
 
 use triquad::mesh::{Attributes, Format, MeshError, Reader};
+use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
 
-use crate::failure::Failure;
+use crate::failure::{Facts, Failure};
 use crate::stdio;
 
 /// Options of reading a mesh.
-#[derive(clap::Args, Clone, Copy)]
+#[derive(clap::Args, Clone, Copy, Default)]
 pub struct Reading {
     /// Make vertices one that are at equal coordinates, or at most EPS apart; the first of them
     /// stays where it is
@@ -74,7 +75,7 @@ pub fn tell_left_out(path: &Path, left_out: &[String]) {
     }
     if !shown.is_empty() {
         let what = shown.join(", ");
-        stdio::complain(&format!("{}: note: not carried over: {what}", path.display()));
+        stdio::note(&format!("{}: note: not carried over: {what}", path.display()));
     }
 }
 
@@ -95,7 +96,37 @@ pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<Mesh, Failure
 pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Failure> {
     triangulate(path, mesh, repairs)?;
     let triangulation = Triangulation::build_oriented(mesh, repairs.orient);
-    triangulation.map_err(|survey| refusal(path, &survey, mesh.unknown_lines()))
+    triangulation.map_err(|survey| {
+        let opens = survey.is_open_surface(repairs.orient);
+        let remedy = opens.then_some("only 'convert --open' and check take it as it is");
+        refusal(path, &survey, remedy, mesh.unknown_lines())
+    })
+}
+
+/// A surface with its mesh.
+pub enum Built {
+    Closed(Triangulation),
+    /// With boundary, or one-sided.
+    Open(OpenTriangulation),
+}
+
+/// Reads a mesh that must be a triangulation of surfaces, closed or not, after its repairs.
+pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Failure> {
+    let mut mesh = read(path, repairs.reading)?;
+    triangulate(path, &mut mesh, repairs)?;
+    let survey = match Triangulation::build_oriented(&mut mesh, repairs.orient) {
+        Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
+        Err(survey) => survey,
+    };
+    if !survey.is_open_surface(repairs.orient) {
+        return Err(refusal(path, &survey, None, mesh.unknown_lines()));
+    }
+    if repairs.orient {
+        survey.orient(&mut mesh);
+    }
+    let open = OpenTriangulation::build(&mesh);
+    let open = open.map_err(|survey| refusal(path, &survey, None, mesh.unknown_lines()))?;
+    Ok((mesh, Built::Open(open)))
 }
 
 /// Cuts polygons into triangles if that is asked for.
@@ -111,11 +142,14 @@ pub fn triangulate(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<(),
 
 /// Makes the failure of a file that could not be read or written.
 pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
+    let remedy = error.remedy();
     let problem = match error {
         MeshError::Io(error) => system_problem(error),
         error => error.to_string(),
     };
-    Failure::bad(format!("{}: {problem}; {}", path.display(), error.remedy()))
+    let failure = Failure::bad(format!("{}: {problem}; {remedy}", path.display()));
+    let file = path.display().to_string();
+    failure.with(Facts { file, law: None, element: None, count: None, remedy })
 }
 
 /// Returns what an error of the operating system is, without its number.
@@ -125,8 +159,13 @@ pub fn system_problem(error: &std::io::Error) -> String {
 }
 
 /// Makes the failure of a mesh that is no triangulation: its first broken law, the number of
-/// others, and the lines of the file that could not be read.
-pub fn refusal(path: &Path, survey: &Survey, unknown_lines: Option<&str>) -> Failure {
+/// others, a second remedy if there is one, and the lines of the file that could not be read.
+pub fn refusal(
+    path: &Path,
+    survey: &Survey,
+    other_remedy: Option<&str>,
+    unknown_lines: Option<&str>,
+) -> Failure {
     let first = survey.violations[0];
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
@@ -139,10 +178,13 @@ pub fn refusal(path: &Path, survey: &Survey, unknown_lines: Option<&str>) -> Fai
         _ => ", counted from 1",
     };
     let (name, remedy) = (first.law.name(), first.law.remedy());
+    let other_remedy = other_remedy.map(|remedy| format!("; {remedy}")).unwrap_or_default();
+    let file = path.display().to_string();
     let unknown = unknown_lines.map(|lines| format!("; not understood: {lines}"));
     let unknown = unknown.unwrap_or_default();
-    Failure::bad(format!(
-        "{}: {first}{from_one} [{name}]{others}; {remedy}{unknown}",
-        path.display()
-    ))
+    let message =
+        format!("{file}: {first}{from_one} [{name}]{others}; {remedy}{other_remedy}{unknown}");
+    let element = Some(first.element.to_string());
+    let facts = Facts { file, law: Some(name), element, count: Some(first.count), remedy };
+    Failure::bad(message).with(facts)
 }

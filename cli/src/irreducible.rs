@@ -38,6 +38,9 @@ pub struct Arguments {
     /// Seed of brute-force and of --order random; the same seed gives the same bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
     seed: u64,
+    /// Refused: only convert takes surfaces with boundary
+    #[arg(long, hide = true)]
+    open: bool,
     #[command(flatten)]
     options: Options,
 }
@@ -64,7 +67,14 @@ struct Stats {
 /// Reads, contracts, checks, writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let clock = SystemClock::default();
-    let Arguments { input, output, algorithm, order, seed, options } = arguments;
+    let Arguments { input, output, algorithm, order, seed, open, options } = arguments;
+    if *open {
+        return Err(Failure::bad(format!(
+            "{}: --open is for convert: irreducible triangulations are those of closed surfaces, \
+             and the contraction of an edge relies on a closed ring of triangles round each vertex",
+            input.display()
+        )));
+    }
     let mut opened = Opened::open(input, output.as_deref(), options, &clock)?;
     let size = opened.size;
     opened.status.say("contracting edges");

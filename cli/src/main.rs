@@ -1,39 +1,52 @@
 //! The command-line tool: parses arguments, calls the library and the laboratory, prints.
 //!
 //! Each verb is a file: `convert`, `irreducible`, `check`, `info`, `generate`, `simplify`, `plan`,
-//! `run`, `merge`, `report`, `compare`. The other files are shared by several verbs.
+//! `run`, `merge`, `import`, `report`, `compare`, `paper`, `draw`; `completions` and `man` share
+//! `manual`. The other files are shared by several verbs.
 //!
 //! Exit codes: 0 done; 1 a check failed; 2 bad input or usage. A failure is one line on standard
 //! error with the file, the place, the law and the remedy.
 
+mod aims;
+mod bad_runs;
+mod certificate;
 mod check;
 mod compare;
+mod comparison;
 mod convert;
+mod draw;
 mod experiments;
 mod failure;
 mod formats;
 mod generate;
 #[cfg(target_os = "linux")]
 mod huge_pages;
+mod import;
 mod info;
 mod input;
 mod irreducible;
 mod machine;
+mod manual;
 mod merge;
 mod names;
+mod paper;
 mod plan;
 mod progress;
 mod reduction;
 mod report;
 mod run;
+mod several;
 mod simplify;
 mod stdio;
 mod targets;
+mod threads;
 
+use std::num::NonZeroUsize;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
+use failure::Failure;
 use formats::FORMATS;
 
 #[cfg(target_os = "linux")]
@@ -52,6 +65,11 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {
+    /// Use N threads, by default one for each core; the results are the same
+    #[arg(long, global = true, value_name = "N", help_heading = "Everywhere")]
+    threads: Option<NonZeroUsize>,
+    #[command(flatten)]
+    voice: stdio::Voice,
     #[command(subcommand)]
     verb: Verb,
 }
@@ -67,8 +85,13 @@ enum Verb {
     Plan(plan::Arguments),
     Run(run::Arguments),
     Merge(merge::Arguments),
+    Import(import::Arguments),
     Report(report::Arguments),
     Compare(compare::Arguments),
+    Paper(paper::Arguments),
+    Draw(draw::Arguments),
+    Completions(manual::Completions),
+    Man(manual::Manual),
 }
 
 /// Ends a run of an experiment with the process that started it, even if that is killed.
@@ -79,6 +102,23 @@ fn end_with_parent() {
         // If this fails, a run of a killed experiment goes on until it is done.
         let _ = set_parent_process_death_signal(Some(Signal::KILL));
     }
+}
+
+/// Becomes the program that the arguments name, if an experiment has started this process for it:
+/// the program then ends with the experiment too. Returns only if that is not so, or fails.
+#[cfg(unix)]
+fn become_foreign_program() -> Option<ExitCode> {
+    use std::os::unix::process::CommandExt;
+    use triquad_lab::experiment::process::{BECOME, RUN_VARIABLE};
+    if std::env::var_os(RUN_VARIABLE).is_none_or(|value| value != BECOME) {
+        return None;
+    }
+    let mut words = std::env::args_os().skip(1);
+    let program = words.next()?;
+    let error = std::process::Command::new(&program).args(words).env_remove(RUN_VARIABLE).exec();
+    stdio::complain(&format!("{}: {error}", program.display()));
+    // As a shell does.
+    Some(ExitCode::from(127))
 }
 
 /// Removes half-written files on an interrupt; finished files stay.
@@ -95,22 +135,30 @@ fn clean_up_when_interrupted() {
 /// Runs the verb that the arguments name.
 fn main() -> ExitCode {
     end_with_parent();
+    #[cfg(unix)]
+    if let Some(code) = become_foreign_program() {
+        return code;
+    }
     clean_up_when_interrupted();
     let arguments = names::with_weld_values(std::env::args_os());
     let result = match Arguments::try_parse_from(arguments) {
-        Ok(arguments) => run(arguments.verb),
+        Ok(arguments) => {
+            stdio::settle(arguments.voice);
+            threads::settle(arguments.threads);
+            run(arguments.verb)
+        }
         Err(error) => return explain_usage(&error),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            stdio::complain(&failure.message);
+            stdio::fail(&failure);
             ExitCode::from(failure.code)
         }
     }
 }
 
-fn run(verb: Verb) -> Result<(), failure::Failure> {
+fn run(verb: Verb) -> Result<(), Failure> {
     match verb {
         Verb::Convert(arguments) => convert::run(&arguments),
         Verb::Irreducible(arguments) => irreducible::run(&arguments),
@@ -121,8 +169,13 @@ fn run(verb: Verb) -> Result<(), failure::Failure> {
         Verb::Plan(arguments) => plan::run(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Merge(arguments) => merge::run(&arguments),
+        Verb::Import(arguments) => import::run(&arguments),
         Verb::Report(arguments) => report::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
+        Verb::Paper(arguments) => paper::run(&arguments),
+        Verb::Draw(arguments) => draw::run(&arguments),
+        Verb::Completions(arguments) => manual::print_completions::<Arguments>(&arguments),
+        Verb::Man(arguments) => manual::print_manual::<Arguments>(&arguments),
     }
 }
 
@@ -135,6 +188,10 @@ fn explain_usage(error: &clap::Error) -> ExitCode {
     let text = error.to_string();
     let first = text.split("\n\n").next().unwrap_or_default();
     let words: Vec<&str> = first.trim_start_matches("error: ").split_whitespace().collect();
-    stdio::complain(&format!("{}; 'triquad --help' explains", words.join(" ")));
-    ExitCode::from(2)
+    // The arguments that say how to print were not parsed.
+    let json = std::env::args_os().any(|argument| argument == "--json");
+    stdio::settle(stdio::Voice { json, ..stdio::Voice::default() });
+    let failure = Failure::bad(format!("{}; 'triquad --help' explains", words.join(" ")));
+    stdio::fail(&failure);
+    ExitCode::from(failure.code)
 }

@@ -2,14 +2,15 @@
 
 use std::path::PathBuf;
 
-use triquad_lab::experiment::merge::merge;
+use triquad_lab::experiment::merge::{MergeError, merge};
 
 use crate::failure::Failure;
-use crate::stdio;
+use crate::{bad_runs, stdio};
 
 /// Put the results of several machines together
 ///
-/// Of a run that was done twice the last that ended well counts.
+/// Of a run that was done twice the last that ended well counts. Runs that did not end well are
+/// named, and the exit code is 1 then; all rows have been put together all the same.
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad merge results/part-1 results/part-2 --out results/whole")]
 pub struct Arguments {
@@ -23,8 +24,11 @@ pub struct Arguments {
 
 /// Merges the folders and prints what came of it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let merged = merge(&arguments.folders, &arguments.out).map_err(|error| {
-        Failure::bad(format!("{error}; name folders that 'triquad run' has written"))
+    let merged = merge(&arguments.folders, &arguments.out).map_err(|error| match error {
+        MergeError::Results(error) => {
+            Failure::bad(format!("{error}; name folders that 'triquad run' has written"))
+        }
+        MergeError::Lock(error) => Failure::bad(error.to_string()),
     })?;
     let (rows, damaged) = (merged.records.len(), merged.damaged.len());
     let out = arguments.out.display();
@@ -32,5 +36,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         0 => String::new(),
         _ => format!("; {damaged} damaged rows are set aside in damaged.csv"),
     };
-    stdio::say(&format!("{out}: {rows} runs of {} machines{aside}", merged.machines.len()))
+    stdio::say(&format!("{out}: {rows} runs of {} machines{aside}", merged.machines.len()))?;
+    bad_runs::refuse(&arguments.out, &merged)
 }

@@ -66,7 +66,7 @@ impl<'a> Opened<'a> {
     ) -> Result<Self, Failure> {
         let status = StatusLine::new("reading the mesh");
         let stats = options.stats.as_deref();
-        let targets = Targets::open(Paths { input, output, triangles: None, stats })?;
+        let targets = Targets::open(Paths { output, stats, ..Paths::of(input) })?;
         let (mesh, read_seconds) = clock.time(|| input::read(input, options.repairs.reading));
         let mut mesh = mesh?;
         status.say("building the triangulation");

@@ -28,10 +28,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     stdio::say(&report.page.unwrap_or_else(|| folder.clone()).display().to_string())
 }
 
-/// Reads the records of a results folder.
+/// Reads the records of a results folder, of which there must be some.
 pub fn read(folder: &Path) -> Result<Results, Failure> {
-    Results::read(folder)
-        .map_err(|error| Failure::bad(format!("{error}; 'triquad run' makes such a folder")))
+    let results = Results::read(folder).map_err(|error| {
+        Failure::bad(format!("{error}; 'triquad run' and 'triquad import' make such a folder"))
+    })?;
+    if results.records.is_empty() {
+        let damaged = match results.damaged.len() {
+            0 => String::new(),
+            rows => format!(" ({rows} rows are damaged)"),
+        };
+        return Err(Failure::bad(format!(
+            "{}: runs.csv has no records{damaged}; 'triquad run' or 'triquad import' adds some",
+            folder.display()
+        )));
+    }
+    Ok(results)
 }
 
 /// Writes the whole report and prints what is lost.

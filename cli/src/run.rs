@@ -1,5 +1,6 @@
 //! `triquad run`.
 
+use std::collections::HashSet;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -7,9 +8,9 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
-use triquad_lab::experiment::journal::Journal;
+use triquad_lab::experiment::journal::{Journal, JournalError};
 use triquad_lab::experiment::machine;
-use triquad_lab::experiment::plan::{Block, PlannedRun};
+use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 use triquad_lab::experiment::planned_mesh::PlannedMesh;
 use triquad_lab::experiment::record::{Outcome, RunRecord};
 use triquad_lab::experiment::run::{RunObserver, Runner};
@@ -18,13 +19,16 @@ use triquad_lab::report::{self as lab_report, Extent};
 
 use crate::experiments::{Selection, duration};
 use crate::failure::Failure;
-use crate::{generate, input, report, stdio};
+use crate::{bad_runs, generate, input, report, stdio};
 
 /// Carry out experiments, each run in a process of its own, each a row of runs.csv
 ///
-/// A row is on the disk before the next run begins. Started again, only what has no row is run, so
-/// it may be interrupted at any time. Tables are written after every block, at most every five
-/// seconds, the page every minute and at the end.
+/// A row is on the disk before the next run begins. Started again, only what has no row is run, and
+/// what failed before it began; so it may be interrupted at any time. Tables are written after every
+/// block, at most every five seconds, the page every minute and at the end.
+///
+/// Exit code 1 if a run did not end well (timeout, out of memory, crash, invalid result); each is
+/// named. A second run in the same folder is refused while the first one goes on.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
                         triquad run experiments/comparison.toml --scale demo --out results/demo\n  \
@@ -48,21 +52,51 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let plan = arguments.selection.plan()?;
     let out = &arguments.out;
     let failure = |error: io::Error| folder_failure(out, &error);
-    let mut journal = Journal::open(out).map_err(failure)?;
+    let mut journal = Journal::open(out).map_err(|error| journal_failure(&error))?;
     complain_of_damage(out, &journal);
     let runner = runner(arguments, &mut journal).map_err(failure)?;
     let view = RunView::new(out);
-    for mesh in &plan.pictured {
-        let begin = || view.say(&format!("drawing the pictures of {}", mesh.name));
-        pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, begin)
-            .map_err(|error| picture_failure(&mesh.name, &error))?;
-    }
+    let drawn = draw_pictures(out, &plan, &runner, &view);
     runner.execute(&plan, &mut journal, &SystemClock::default(), &view).map_err(failure)?;
-    view.finish(&journal)
+    view.finish(&journal)?;
+    drawn
 }
 
-/// Prints the damaged rows that were set aside.
+/// Draws what is not drawn yet. Says what cannot be drawn; the runs go on all the same.
+fn draw_pictures(out: &Path, plan: &Plan, runner: &Runner, view: &RunView) -> Result<(), Failure> {
+    let mut failed = Ok(());
+    for mesh in &plan.pictured {
+        let begin = || view.say(&format!("drawing the pictures of {}", mesh.name));
+        let drawn = pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, begin);
+        if let Err(error) = drawn {
+            view.say(&picture_failure(&mesh.name, &error).message);
+            failed = Err(Failure::no(format!("the pictures of {} are missing", mesh.name)));
+        }
+    }
+    failed
+}
+
+fn journal_failure(error: &JournalError) -> Failure {
+    let remedy = match error {
+        JournalError::Lock(_) => "",
+        JournalError::Read(_) => "; name another folder with --out",
+        JournalError::Write { .. } => "; 'triquad run' goes on from what is there",
+    };
+    Failure::bad(format!("{error}{remedy}"))
+}
+
+/// Prints what was wrong with the folder: damaged rows, lost names, no locks.
 fn complain_of_damage(out: &Path, journal: &Journal) {
+    if !journal.is_locked() {
+        let folder = out.display();
+        stdio::complain(&format!(
+            "{folder}: its file system has no locks; start no second run in this folder"
+        ));
+    }
+    if journal.has_lost_names() {
+        let path = out.join("runs.csv");
+        stdio::complain(&format!("{}: its first line was lost and is there again", path.display()));
+    }
     for row in journal.set_aside() {
         stdio::complain(&format!(
             "{}, line {}: {}; moved to damaged.csv, it will run again",
@@ -78,7 +112,7 @@ fn runner(arguments: &Arguments, journal: &mut Journal) -> io::Result<Runner> {
     let facts = machine::facts();
     let name = machine::name_of(&facts);
     journal.note_machine(&name, facts)?;
-    let program = std::env::current_exe()?;
+    let program = own_program()?;
     Ok(Runner {
         program_hash: machine::hash_of_file(&program)?,
         program,
@@ -87,6 +121,19 @@ fn runner(arguments: &Arguments, journal: &mut Journal) -> io::Result<Runner> {
         cache: arguments.cache.folder(),
         jobs: arguments.jobs,
     })
+}
+
+/// Returns a path that leads to this very program, even if its file is replaced meanwhile.
+#[cfg(target_os = "linux")]
+fn own_program() -> io::Result<PathBuf> {
+    let program = Path::new("/proc/self/exe");
+    // Without /proc there is the path only.
+    if program.exists() { Ok(program.to_owned()) } else { std::env::current_exe() }
+}
+
+#[cfg(not(target_os = "linux"))]
+fn own_program() -> io::Result<PathBuf> {
+    std::env::current_exe()
 }
 
 fn picture_failure(mesh: &str, error: &DrawError) -> Failure {
@@ -109,6 +156,8 @@ struct RunView<'a> {
     bar: ProgressBar,
     pace: Mutex<Pace>,
     written: Mutex<Written>,
+    /// Reasons for which runs were skipped.
+    said: Mutex<HashSet<String>>,
 }
 
 /// Times of the last writing of tables and page.
@@ -131,8 +180,6 @@ struct Pace {
     estimated: f64,
     /// Seconds that they took.
     taken: f64,
-    /// Runs that did not end well.
-    bad: usize,
 }
 
 impl Pace {
@@ -147,7 +194,8 @@ impl<'a> RunView<'a> {
     fn new(out: &'a Path) -> Self {
         let now = Instant::now();
         let written = Mutex::new(Written { tables: now, page: now });
-        Self { out, bar: ProgressBar::no_length(), pace: Mutex::default(), written }
+        let bar = ProgressBar::no_length();
+        Self { out, bar, pace: Mutex::default(), written, said: Mutex::default() }
     }
 
     /// Prints a line on standard error, above the bar if there is one.
@@ -160,21 +208,34 @@ impl<'a> RunView<'a> {
     }
 
     fn pace(&self) -> MutexGuard<'_, Pace> {
-        self.pace.lock().unwrap_or_else(PoisonError::into_inner)
+        lock(&self.pace)
     }
 
     /// Writes the report and prints where it is.
     fn finish(self, journal: &Journal) -> Result<(), Failure> {
         self.bar.finish_and_clear();
-        let report = report::write(self.out, journal.results())?;
-        let bad = self.pace().bad;
-        let place = report.page.as_deref().unwrap_or(self.out).display();
-        let line = format!("{place}: {} runs, all done", journal.results().records.len());
-        if bad == 0 {
-            return stdio::say(&line);
+        let (out, results) = (self.out, journal.results());
+        if results.records.is_empty() {
+            return stdio::say(&format!("{}: nothing was planned, nothing was run", out.display()));
         }
-        stdio::say(&format!("{line}; {bad} of those just run did not end well, see runs.csv"))
+        let report = report::write(out, results)?;
+        let place = report.page.as_deref().unwrap_or(out).display();
+        let bad = results.records.iter().filter(|record| record.is_bad()).count();
+        let skipped =
+            results.records.iter().filter(|record| record.outcome == Outcome::Skipped).count();
+        let mut line = format!("{place}: {} runs", results.records.len());
+        for (count, what) in [(bad, "did not end well"), (skipped, "skipped")] {
+            if count > 0 {
+                line += &format!(", {count} {what}");
+            }
+        }
+        stdio::say(&if bad + skipped == 0 { line + ", all done" } else { line })?;
+        bad_runs::refuse(out, results)
     }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl RunObserver for RunView<'_> {
@@ -207,18 +268,17 @@ impl RunObserver for RunView<'_> {
             pace.estimated += estimate;
             pace.taken += record.process_seconds;
         }
-        pace.bad += usize::from(!record.is_ok());
         drop(pace);
         self.bar.inc(1);
-        if !record.is_ok() {
-            let RunRecord { id, reason, outcome, .. } = record;
-            let (mesh, algorithm) = (&id.mesh.name, id.job.algorithm());
-            self.say(&format!("{mesh}, {algorithm}: {outcome:?}: {reason}"));
+        let is_new = || lock(&self.said).insert(record.reason.clone());
+        // Why a program is not installed is said once.
+        if record.is_bad() || record.outcome == Outcome::Skipped && is_new() {
+            self.say(&bad_runs::described(record));
         }
     }
 
     fn block_done(&self, journal: &Journal) -> io::Result<()> {
-        let mut written = self.written.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut written = lock(&self.written);
         let now = Instant::now();
         let extent = if now - written.page >= PAGE_EVERY {
             *written = Written { page: now, tables: now };

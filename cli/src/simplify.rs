@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
-use triquad::simplify::{Shape, Simplifier, SimplifyError};
+use triquad::simplify::{Rule, Shape, Simplifier, SimplifyError};
 use triquad::{Mesh, Triangulation};
 
 use crate::failure::Failure;
@@ -27,6 +27,10 @@ pub struct Arguments {
     /// How many vertices are to be left
     #[arg(long, value_name = "V")]
     vertices: usize,
+    /// Contract by quadric error alone, into the better end, ties in file order, whatever becomes of
+    /// angles and degrees: as the papers' hierarchies are made here
+    #[arg(long)]
+    plain: bool,
     #[arg(short, long, value_name = "OUT", help = may_write("Where the triangles go"))]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -53,11 +57,12 @@ struct Stats {
 /// Reads, simplifies, writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let clock = SystemClock::default();
-    let Arguments { input, vertices, output, options } = arguments;
+    let Arguments { input, vertices, plain, output, options } = arguments;
+    let rule = if *plain { Rule::Plain } else { Rule::Guarded };
     let mut opened = Opened::open(input, output.as_deref(), options, &clock)?;
     opened.status.say("contracting edges");
     let (simplified, seconds) =
-        clock.time(|| simplified(opened.triangulation, opened.mesh, *vertices));
+        clock.time(|| simplified(opened.triangulation, opened.mesh, rule, *vertices));
     let (mesh, triangulation) = simplified.map_err(|error| failure(input, &error))?;
     opened.status.say("writing the triangles");
     let (written, write_seconds) = clock.time(|| opened.targets.write_mesh(&mesh));
@@ -84,9 +89,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn simplified(
     triangulation: Triangulation,
     mesh: Mesh,
+    rule: Rule,
     vertices: usize,
 ) -> Result<(Mesh, Triangulation), SimplifyError> {
-    let mut simplifier = Simplifier::new(triangulation, mesh.positions());
+    let mut simplifier = Simplifier::with_rule(triangulation, mesh.positions(), rule);
     drop(mesh);
     simplifier.reduce_to(vertices)?;
     Ok(simplifier.result())

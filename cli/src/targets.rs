@@ -1,6 +1,6 @@
 //! The files that a verb writes: opened before the work starts, complete or absent afterwards.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -18,6 +18,35 @@ pub struct Paths<'a> {
     /// A second mesh: triangles.
     pub triangles: Option<&'a Path>,
     pub stats: Option<&'a Path>,
+    pub certificate: Option<&'a Path>,
+    /// Edges given up.
+    pub given_up: Option<&'a Path>,
+}
+
+impl<'a> Paths<'a> {
+    /// Returns paths of which only the input is named.
+    pub fn of(input: &'a Path) -> Self {
+        let none = None;
+        Self {
+            input,
+            output: none,
+            triangles: none,
+            stats: none,
+            certificate: none,
+            given_up: none,
+        }
+    }
+
+    /// Returns the options that name files to write, in the order of their names here.
+    fn targets(&self) -> [(&'static str, Option<&'a Path>); 5] {
+        [
+            ("-o", self.output),
+            ("--write-triangulation", self.triangles),
+            ("--stats", self.stats),
+            ("--certificate", self.certificate),
+            ("--given-up", self.given_up),
+        ]
+    }
 }
 
 /// Meshes and statistics to be written.
@@ -25,7 +54,9 @@ pub struct Targets<'a> {
     paths: Paths<'a>,
     mesh: Option<Output>,
     triangles: Option<Output>,
-    stats: Option<AtomicFile>,
+    stats: Option<TextTarget<'a>>,
+    certificate: Option<TextTarget<'a>>,
+    given_up: Option<TextTarget<'a>>,
 }
 
 impl<'a> Targets<'a> {
@@ -34,13 +65,13 @@ impl<'a> Targets<'a> {
         refuse_shared_files(paths)?;
         let open_mesh =
             |path: &Path| Output::create(path).map_err(|error| input::mesh_failure(path, &error));
-        let open_stats =
-            |path: &Path| AtomicFile::create(path).map_err(|error| stats_failure(path, &error));
         Ok(Self {
             paths,
             mesh: paths.output.map(open_mesh).transpose()?,
             triangles: paths.triangles.map(open_mesh).transpose()?,
-            stats: paths.stats.filter(|&path| !is_stdio(path)).map(open_stats).transpose()?,
+            stats: paths.stats.map(TextTarget::open).transpose()?,
+            certificate: paths.certificate.map(TextTarget::open).transpose()?,
+            given_up: paths.given_up.map(TextTarget::open).transpose()?,
         })
     }
 
@@ -54,18 +85,29 @@ impl<'a> Targets<'a> {
         write_to(self.triangles.take(), self.paths.triangles, mesh)
     }
 
+    /// Writes the certificate, if it was asked for.
+    pub fn write_certificate(
+        &mut self,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Failure> {
+        self.certificate.take().map_or(Ok(()), |target| target.write(write))
+    }
+
+    /// Writes edges as pairs of vertices counted from 1, if they were asked for.
+    pub fn write_given_up(&mut self, edges: &[[u32; 2]]) -> Result<(), Failure> {
+        let Some(target) = self.given_up.take() else { return Ok(()) };
+        target.write(|out| {
+            let number = |v: u32| u64::from(v) + 1;
+            edges.iter().try_for_each(|&[a, b]| writeln!(out, "{} {}", number(a), number(b)))
+        })
+    }
+
     /// Writes the statistics as JSON, if they were asked for.
     fn write_stats(&mut self, stats: &impl Serialize) -> Result<(), Failure> {
-        let Some(path) = self.paths.stats else { return Ok(()) };
+        let Some(target) = self.stats.take() else { return Ok(()) };
         let json = serde_json::to_string_pretty(stats)
-            .map_err(|error| Failure::bad(format!("{}: {error}", path.display())))?;
-        match self.stats.take() {
-            None => stdio::say(&json),
-            Some(mut file) => {
-                let written = writeln!(file, "{json}").and_then(|()| file.commit());
-                written.map_err(|error| stats_failure(path, &error))
-            }
-        }
+            .map_err(|error| Failure::bad(format!("{}: {error}", target.path.display())))?;
+        target.write(|out| writeln!(out, "{json}"))
     }
 
     /// Writes the statistics, then prints what was not carried over and the summary. In this order
@@ -104,13 +146,35 @@ impl<'a> Targets<'a> {
 
     /// Prints the summary on standard error if standard output takes a mesh or statistics.
     fn report(&self, line: &str) -> Result<(), Failure> {
-        let Paths { output, triangles, stats, .. } = self.paths;
-        if [output, triangles, stats].into_iter().flatten().any(is_stdio) {
-            stdio::complain(line);
+        if self.paths.targets().into_iter().filter_map(|target| target.1).any(is_stdio) {
+            stdio::note(line);
             Ok(())
         } else {
-            stdio::say(line)
+            stdio::summarise(line)
         }
+    }
+}
+
+/// A text to be written, complete or not at all; `-` is standard output.
+struct TextTarget<'a> {
+    path: &'a Path,
+    /// None is standard output.
+    file: Option<AtomicFile>,
+}
+
+impl<'a> TextTarget<'a> {
+    fn open(path: &'a Path) -> Result<Self, Failure> {
+        let file = match is_stdio(path) {
+            true => None,
+            false => Some(AtomicFile::create(path).map_err(|error| text_failure(path, &error))?),
+        };
+        Ok(Self { path, file })
+    }
+
+    fn write(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+        let Some(mut file) = self.file else { return stdio::say_by(write) };
+        let written = write(&mut file).and_then(|()| file.commit());
+        written.map_err(|error| text_failure(self.path, &error))
     }
 }
 
@@ -121,10 +185,8 @@ fn write_to(output: Option<Output>, path: Option<&Path>, mesh: &Mesh) -> Result<
 
 /// Refuses targets that would mix, overwrite each other or overwrite the input.
 fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
-    let Paths { input, output, triangles, stats } = paths;
-    let options = [("-o", output), ("--write-triangulation", triangles), ("--stats", stats)];
-    let targets: Vec<_> =
-        options.into_iter().filter_map(|(option, path)| Some((option, path?))).collect();
+    let options = paths.targets().into_iter();
+    let targets: Vec<_> = options.filter_map(|(option, path)| Some((option, path?))).collect();
     for (i, &(option, one)) in targets.iter().enumerate() {
         for &(other, path) in &targets[i + 1..] {
             if is_stdio(one) && is_stdio(path) {
@@ -135,7 +197,7 @@ fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
             }
             refuse_overwriting(one, other, path)?;
         }
-        refuse_overwriting(input, option, one)?;
+        refuse_overwriting(paths.input, option, one)?;
     }
     Ok(())
 }
@@ -162,11 +224,7 @@ fn is_stdio(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-fn stats_failure(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::bad(format!(
-        "{}: {}; {}",
-        path.display(),
-        input::system_problem(error),
-        io_remedy(error)
-    ))
+fn text_failure(path: &Path, error: &std::io::Error) -> Failure {
+    let problem = input::system_problem(error);
+    Failure::bad(format!("{}: {problem}; {}", path.display(), io_remedy(error)))
 }

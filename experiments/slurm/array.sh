@@ -12,7 +12,8 @@
 #   PARTS         tasks are numbered from 1 to PARTS; unset, they are counted from the array's first
 #
 # and call 'sbatch --array=1-20 array.sh'. A task may be killed and started again at any time: what has
-# a row in OUT/part-I/runs.csv is not run again. Tasks can share CACHE, whose files are put in place by
+# a row in OUT/part-I/runs.csv is not run again. OUT/part-I is locked: a second task of the same part
+# ends at once with exit code 2 while the first one lives. Exit code 1: a run did not end well. Tasks can share CACHE, whose files are put in place by
 # renaming them: at worst two tasks make the same mesh at once. The local disk of a node does as well.
 #
 #SBATCH --job-name=triquad
@@ -44,6 +45,10 @@ read -ra files <<<"$EXPERIMENTS"
 echo "part $part of $PARTS on $(hostname), start ${SLURM_RESTART_COUNT:-0}"
 mkdir -p "$folder"
 rm -f "$folder/complete"
-"${TRIQUAD:-triquad}" run "${files[@]}" "${options[@]}"
+code=0
+"${TRIQUAD:-triquad}" run "${files[@]}" "${options[@]}" || code=$?
+# 1: everything was run, and not all of it ended well.
+((code <= 1)) || exit "$code"
 # What finish.sh looks for.
 : >"$folder/complete"
+exit "$code"

@@ -1,6 +1,9 @@
 //! The facts that experiments and reports need of each algorithm: one row an algorithm.
 //!
+//! Programs and algorithms that are not ours have rows too, made when their names are first read.
 //! The costs were measured on two cores at 2 to 3 GHz; they decide about estimates only.
+
+use std::sync::{Mutex, PoisonError};
 
 /// Mark of a point in a plot; each differs from the others without its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,13 +106,43 @@ impl AlgorithmFacts {
         ALGORITHMS.iter().find(|facts| facts.name == name)
     }
 
-    /// Returns every row, in the order of tables and plots.
+    /// Returns the row of a program or algorithm that is not ours, the same for the same name.
+    ///
+    /// There are as few as there are names, and they stay for the life of the process.
+    pub fn other(name: &str) -> &'static Self {
+        static OTHERS: Mutex<Vec<&AlgorithmFacts>> = Mutex::new(Vec::new());
+        let mut others = OTHERS.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = others.iter().find(|facts| facts.name == name) {
+            return known;
+        }
+        let name: &'static str = Box::leak(name.into());
+        let facts: &'static Self = Box::leak(Box::new(row(
+            name,
+            name,
+            look_of(name),
+            false,
+            (5e-6, 1000.0),
+            [0.1, 0.0, 0.0],
+        )));
+        others.push(facts);
+        facts
+    }
+
+    /// Returns every row of ours, in the order of tables and plots.
     pub fn all() -> &'static [Self] {
         &ALGORITHMS
     }
 
-    /// Returns the row's number, from 0.
+    /// Returns the row's number, from 0; those that are not ours share the number after the last.
     pub fn rank(&self) -> usize {
         ALGORITHMS.iter().position(|facts| facts.name == self.name).unwrap_or(ALGORITHMS.len())
     }
+}
+
+/// Returns colour and mark of a name that is not ours. They depend on the name alone.
+fn look_of(name: &str) -> ([u8; 3], Mark) {
+    const COLOURS: [[u8; 3]; 4] = [GREY, PURPLE, SKY, ORANGE];
+    const MARKS: [Mark; 3] = [Mark::Cross, Mark::Down, Mark::Up];
+    let sum = name.bytes().fold(0_usize, |sum, byte| sum.wrapping_mul(31) + usize::from(byte));
+    (COLOURS[sum % COLOURS.len()], MARKS[sum % MARKS.len()])
 }

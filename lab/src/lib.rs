@@ -9,6 +9,7 @@ pub mod algorithms;
 mod csv_text;
 pub mod experiment;
 pub mod meshes;
+mod nearest;
 pub mod paper;
 pub mod pictures;
 pub mod report;

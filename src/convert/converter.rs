@@ -1,27 +1,23 @@
-//! The builder of a conversion, and the chain of its stages.
+//! The builder of a conversion, and its first stage; `closed` and `mixed` have the others.
 
 use std::borrow::Cow;
 use std::fmt;
 
-use super::converted::{Converted, Quadrangulated};
+use super::aims::Aims;
+use super::converted::Converted;
 use super::error::ConvertError;
 use super::progress::{Progress, Stage};
-use super::report::Report;
-use crate::augmentation::{Augmentation, make_maximum};
+use super::report::{Report, Size};
+use crate::augmentation::Augmentation;
 use crate::clock::{Clock, SystemClock};
-use crate::dual::{DualGraph, Matching, PerfectMatching};
-use crate::matching::weighted::SolveError;
-use crate::mesh::{Faces, Mesh};
-use crate::pairing::{Algorithm, InitialPairing, best};
-use crate::quadrangulation::quality::Quality;
-use crate::quadrangulation::{
-    CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, SharpEdges, check_faces,
-    check_retriangulated_faces, edge_costs,
-};
-use crate::random::Random;
-use crate::triangulation::Triangulation;
+use crate::irreducible::Discipline;
+use crate::mesh::Mesh;
+use crate::pairing::{Algorithm, LRS_ORDER};
+use crate::quadrangulation::{Cost, Keep};
+use crate::triangulation::{Law, OpenTriangulation, Survey, Triangulation};
 
-/// Converts triangle meshes of closed surfaces into quads on the same vertices.
+/// Converts triangle meshes into quads on the same vertices: of closed surfaces, and of others with
+/// [`Converter::open`].
 ///
 /// ```
 /// use triquad::{Algorithm, Converter, Mesh};
@@ -33,22 +29,28 @@ use crate::triangulation::Triangulation;
 /// # Ok::<(), triquad::ConvertError>(())
 /// ```
 pub struct Converter<'a> {
-    algorithm: Algorithm,
-    augmentation: Augmentation,
-    seed: u64,
-    orient: bool,
-    cost: &'a dyn Cost,
-    clock: Option<&'a dyn Clock>,
-    progress: Option<&'a mut dyn Progress>,
+    pub(super) algorithm: Algorithm,
+    pub(super) lrs_order: Discipline,
+    pub(super) augmentation: Augmentation,
+    pub(super) seed: u64,
+    pub(super) orient: bool,
+    pub(super) open: bool,
+    pub(super) aims: Aims<'a>,
+    pub(super) keep_proof: bool,
+    pub(super) clock: Option<&'a dyn Clock>,
+    pub(super) progress: Option<&'a mut dyn Progress>,
 }
 
 impl fmt::Debug for Converter<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Converter")
             .field("algorithm", &self.algorithm)
+            .field("lrs_order", &self.lrs_order)
             .field("augmentation", &self.augmentation)
             .field("seed", &self.seed)
             .field("orient", &self.orient)
+            .field("open", &self.open)
+            .field("aims", &self.aims)
             .finish_non_exhaustive()
     }
 }
@@ -64,10 +66,13 @@ impl<'a> Converter<'a> {
     pub fn new() -> Self {
         Self {
             algorithm: Algorithm::Best,
+            lrs_order: LRS_ORDER,
             augmentation: Augmentation::Local,
             seed: 0,
             orient: false,
-            cost: &DefaultCost,
+            open: false,
+            aims: Aims::default(),
+            keep_proof: false,
             clock: None,
             progress: None,
         }
@@ -77,6 +82,12 @@ impl<'a> Converter<'a> {
     #[must_use]
     pub fn algorithm(self, algorithm: Algorithm) -> Self {
         Self { algorithm, ..self }
+    }
+
+    /// Sets the order in which `lrs` tests the edges at a vertex, in place of [`LRS_ORDER`].
+    #[must_use]
+    pub fn lrs_order(self, lrs_order: Discipline) -> Self {
+        Self { lrs_order, ..self }
     }
 
     /// Sets the kind of augmentation that makes the pairing perfect.
@@ -100,7 +111,61 @@ impl<'a> Converter<'a> {
     /// Sets what `best` minimises the sum of, in place of [`DefaultCost`].
     #[must_use]
     pub fn cost(self, cost: &'a dyn Cost) -> Self {
-        Self { cost, ..self }
+        Self { aims: Aims { cost, ..self.aims }, ..self }
+    }
+
+    /// Sets all aims of `best` together: its cost, edges to keep, triangles that may be left.
+    #[must_use]
+    pub fn aims(self, aims: Aims<'a>) -> Self {
+        Self { aims, ..self }
+    }
+
+    /// Sets the costs edge by edge, in place of [`Converter::cost`].
+    ///
+    /// For their order see [`listed_costs`](crate::quadrangulation::listed_costs). With
+    /// [`Converter::orient`] it is that of the faces as flipped.
+    #[must_use]
+    pub fn edge_costs(self, costs: Vec<i32>) -> Self {
+        Self { aims: Aims { listed_costs: Some(costs), ..self.aims }, ..self }
+    }
+
+    /// Sets the edges that no quad shall lie across. `best` only.
+    ///
+    /// As few of them as can be are given up so that as many triangles as can be are paired. That
+    /// ranks above all costs.
+    #[must_use]
+    pub fn keep(self, keep: Keep) -> Self {
+        Self { aims: Aims { keep, ..self.aims }, ..self }
+    }
+
+    /// Sets whether no edge to keep is given up. The fewest triangles stay unpaired instead.
+    #[must_use]
+    pub fn strict(self, strict: bool) -> Self {
+        Self { aims: Aims { strict, ..self.aims }, ..self }
+    }
+
+    /// Sets whether surfaces may have a boundary or be one-sided.
+    ///
+    /// The fewest triangles stay unpaired, provably. [`Algorithm::DiksStanczyk`],
+    /// [`Algorithm::GawrychowskiWasylkiewicz`] and [`Algorithm::Lrs`] refuse such surfaces.
+    #[must_use]
+    pub fn open(self, open: bool) -> Self {
+        Self { open, ..self }
+    }
+
+    /// Sets the price at which any triangle may stay unpaired, in the unit of the costs. `best`
+    /// only.
+    ///
+    /// Then no quad costs more than twice the price.
+    #[must_use]
+    pub fn quad_dominant(self, price: i32) -> Self {
+        Self { aims: Aims { price: Some(price), ..self.aims }, ..self }
+    }
+
+    /// Sets whether the result keeps the proof that it is the best. `best` only.
+    #[must_use]
+    pub fn keep_proof(self, keep_proof: bool) -> Self {
+        Self { keep_proof, ..self }
     }
 
     /// Sets the clock that the report's times are read from.
@@ -120,186 +185,87 @@ impl<'a> Converter<'a> {
     /// An owned mesh gives its arrays to the result; of a borrowed one they are copied.
     ///
     /// # Errors
-    /// The mesh is no triangulation of closed surfaces, or the conversion was stopped.
+    /// The mesh is no triangulation of closed surfaces, nor of open ones if they are allowed; costs
+    /// or edges to keep do not fit it; or the conversion was stopped.
     ///
     /// # Cost
     /// Linear on every mesh measured; O(k n) in the worst case for k triangles left unpaired at
     /// first. About 100 bytes a triangle at the peak, the mesh included.
     pub fn run<'m>(&mut self, mesh: impl Into<Cow<'m, Mesh>>) -> Result<Converted, ConvertError> {
         let mut mesh = mesh.into();
+        if let Some(aim) = self.aims.only_for_best().filter(|_| self.algorithm != Algorithm::Best) {
+            return Err(ConvertError::NeedsBest { aim, algorithm: self.algorithm });
+        }
         self.enter(Stage::Building);
         let (built, build_seconds) = self.time(|settings| settings.build(&mut mesh));
-        let triangulation = built?;
-        let mut paired = self.pair(&triangulation, Some(mesh.positions()))?;
-        paired.report.build_seconds = build_seconds;
-        let quadrangulation = Quadrangulation::new(&paired.triangulation, &paired.perfect);
-        let sharp_edges = Some(SharpEdges::new(
-            &paired.triangulation,
-            mesh.positions(),
-            quadrangulation.removed(),
-        ));
-        drop((paired.perfect, paired.dual));
-
-        self.enter(Stage::Checking);
-        let quads = quadrangulation.faces();
-        let flipped = match &paired.triangulation {
-            Cow::Borrowed(_) => None,
-            Cow::Owned(flipped) => Some(flipped.faces()),
-        };
-        let (check, check_seconds) = self.time(|_| check_result(&quads, flipped.as_ref(), &mesh));
-        let check = check?;
-        let attributes =
-            quadrangulation.carry_attributes(&paired.triangulation, &triangulation, &mesh);
-        let losses = quadrangulation.attribute_losses(&paired.triangulation, &triangulation, &mesh);
-        let mut mesh = mesh.into_owned();
-        let given = mesh.replace_faces(quads);
-        let triangles = flipped.unwrap_or(given);
-        let mesh = mesh.attach(attributes);
-        let quality = Some(Quality::new(&mesh));
-        let CheckReport { quads, degree_two_vertices, .. } = check;
-        let report = Report {
-            quads,
-            degree_two_vertices,
-            quality,
-            sharp_edges,
-            check_seconds: paired.report.check_seconds + check_seconds,
-            ..paired.report
-        };
-        Ok(Converted { mesh, triangles, report, losses })
+        match built? {
+            Built::Closed(surface) if self.aims.may_leave_triangles() => {
+                let report = Report { build_seconds, ..self.report(Size::from(&surface)) };
+                self.run_mixed(&surface, mesh, report)
+            }
+            Built::Closed(surface) => self.run_closed(&surface, mesh, build_seconds),
+            Built::Open(surface, survey) => {
+                self.require_open_algorithm()?;
+                let report = Report {
+                    build_seconds,
+                    boundary_loops: Some(survey.boundary_loops),
+                    non_orientable_genus: survey.non_orientable_genus(),
+                    ..self.report(Size::from(&*survey))
+                };
+                self.run_mixed(&surface, mesh, report)
+            }
+        }
     }
 
-    /// Converts a triangulation without coordinates. The result is not checked.
-    ///
-    /// # Errors
-    /// The conversion was stopped.
-    ///
-    /// # Cost
-    /// As for [`Converter::run`].
-    pub fn quadrangulate<'t>(
-        &mut self,
-        triangulation: &'t Triangulation,
-    ) -> Result<Quadrangulated<'t>, ConvertError> {
-        let paired = self.pair(triangulation, None)?;
-        let quadrangulation = Quadrangulation::new(&paired.triangulation, &paired.perfect);
-        let report = Report { quads: quadrangulation.len(), ..paired.report };
-        Ok(Quadrangulated { quadrangulation, triangulation: paired.triangulation, report })
-    }
-
-    /// Builds the triangulation. Faces are flipped in a copy if the mesh is borrowed.
-    fn build(&self, mesh: &mut Cow<'_, Mesh>) -> Result<Triangulation, ConvertError> {
-        let survey = match Triangulation::build(mesh) {
-            Ok(triangulation) => return Ok(triangulation),
+    /// Builds the surface. Faces are flipped in a copy if the mesh is borrowed.
+    fn build(&self, mesh: &mut Cow<'_, Mesh>) -> Result<Built, ConvertError> {
+        let mut survey = match Triangulation::build(mesh) {
+            Ok(triangulation) => return Ok(Built::Closed(triangulation)),
             Err(survey) => survey,
         };
         if self.orient && survey.only_orientation_is_wrong() {
             survey.orient(mesh.to_mut());
-            return Ok(Triangulation::build(mesh)?);
+            return Ok(Built::Closed(Triangulation::build(mesh)?));
         }
-        Err(survey.into())
-    }
-
-    /// Pairs triangles and augments until the pairing is perfect.
-    fn pair<'t>(
-        &mut self,
-        triangulation: &'t Triangulation,
-        positions: Option<&[[f64; 3]]>,
-    ) -> Result<Paired<'t>, ConvertError> {
-        let mut report = Report::new(self.algorithm, self.augmentation, self.seed, triangulation);
-        self.enter(Stage::Pairing);
-        let initial = match positions {
-            Some(positions) if self.algorithm == Algorithm::Best => {
-                self.pair_by_cost(triangulation, positions, &mut report)?
-            }
-            _ => self.pair_by_name(triangulation, &mut report),
-        };
-        let InitialPairing { triangulation, dual, matching, edge_flips, proof } = initial;
-        report.edge_flips = edge_flips;
-        report.unpaired_triangles = matching.unpaired_count();
-        if let Some(proof) = proof {
-            let (verdict, seconds) = self.time(|_| proof.verify(&dual, &matching));
-            verdict?;
-            report.check_seconds = seconds;
-            report.is_proved_least = true;
+        if !self.open || !survey.is_open_surface(self.orient) {
+            // What is allowed is no reason.
+            let is_allowed = |law| self.open && matches!(law, Law::NoBoundary | Law::Orientable);
+            survey.violations.retain(|violation| !is_allowed(violation.law));
+            return Err(survey.into());
         }
-        self.make_perfect(triangulation, dual, matching, report)
+        if self.orient {
+            survey.orient(mesh.to_mut());
+        }
+        Ok(Built::Open(OpenTriangulation::join(mesh), survey))
     }
 
-    /// Pairs by the chosen algorithm, without costs.
-    fn pair_by_name<'t>(
-        &mut self,
-        triangulation: &'t Triangulation,
-        report: &mut Report,
-    ) -> InitialPairing<'t> {
-        let mut random = Random::stream(self.seed, &[self.algorithm.id()]);
-        let (initial, seconds) =
-            self.time(|settings| settings.algorithm.pair(triangulation, &mut random));
-        report.pairing_seconds = seconds;
-        initial
-    }
-
-    /// Pairs at the least total cost.
-    fn pair_by_cost<'t>(
-        &mut self,
-        triangulation: &'t Triangulation,
-        positions: &[[f64; 3]],
-        report: &mut Report,
-    ) -> Result<InitialPairing<'t>, ConvertError> {
-        let (costs, cost_seconds) =
-            self.time(|settings| edge_costs(triangulation, positions, settings.cost));
-        let (initial, seconds) = self.time(|settings| {
-            let mut silent = ();
-            let progress = settings.progress.as_deref_mut().unwrap_or(&mut silent);
-            best(triangulation, costs, &mut |news| progress.searching(news.roots))
-        });
-        report.cost_seconds = cost_seconds;
-        report.pairing_seconds = cost_seconds + seconds;
-        match initial {
-            Ok(initial) => {
-                report.total_cost = initial.proof.as_ref().map(|proof| proof.cost);
-                Ok(initial)
+    /// Checks that the algorithm pairs triangles of open surfaces.
+    fn require_open_algorithm(&self) -> Result<(), ConvertError> {
+        match self.algorithm {
+            Algorithm::DiksStanczyk | Algorithm::GawrychowskiWasylkiewicz | Algorithm::Lrs(_) => {
+                Err(ConvertError::NeedsClosed(self.algorithm))
             }
-            Err(SolveError::Stopped { .. }) => {
-                report.stopped = true;
-                Err(ConvertError::Stopped(Box::new(report.clone())))
-            }
-            Err(error) => Err(ConvertError::Costs(error)),
+            Algorithm::Best
+            | Algorithm::EagerRescue
+            | Algorithm::SimpleGreedy
+            | Algorithm::PulliSegal => Ok(()),
         }
     }
 
-    /// Augments until the matching is perfect.
-    fn make_perfect<'t>(
-        &mut self,
-        triangulation: Cow<'t, Triangulation>,
-        dual: DualGraph,
-        matching: Matching,
-        mut report: Report,
-    ) -> Result<Paired<'t>, ConvertError> {
-        self.enter(Stage::Augmenting(report.unpaired_triangles / 2));
-        let ((matching, paths), augmentation_seconds) = self.time(|settings| {
-            let mut silent = ();
-            let progress = settings.progress.as_deref_mut().unwrap_or(&mut silent);
-            make_maximum(&dual, matching, settings.augmentation, &mut || progress.path_found())
-        });
-        report.paths = paths;
-        report.augmentation_seconds = augmentation_seconds;
-        match matching.certify(&dual) {
-            Ok(perfect) => Ok(Paired { triangulation, dual, perfect, report }),
-            Err(_) => {
-                // A bridgeless 3-regular graph has a perfect matching (Theorem 2.1).
-                report.stopped = true;
-                Err(ConvertError::Stopped(Box::new(report)))
-            }
-        }
+    /// Makes the report of a conversion that begins.
+    pub(super) fn report(&self, size: Size) -> Report {
+        let report = Report::new(self.algorithm, self.augmentation, self.seed, size);
+        Report { lrs_order: self.lrs_order, ..report }
     }
 
-    fn enter(&mut self, stage: Stage) {
+    pub(super) fn enter(&mut self, stage: Stage) {
         if let Some(progress) = &mut self.progress {
             progress.stage(stage);
         }
     }
 
     /// Runs `work` and returns its result with the seconds that passed.
-    fn time<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> (T, f64) {
+    pub(super) fn time<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> (T, f64) {
         let system = SystemClock::default();
         let clock = self.clock.unwrap_or(&system);
         let start = clock.seconds();
@@ -308,24 +274,9 @@ impl<'a> Converter<'a> {
     }
 }
 
-/// A perfect pairing, and what it pairs.
-struct Paired<'t> {
-    triangulation: Cow<'t, Triangulation>,
-    dual: DualGraph,
-    perfect: PerfectMatching,
-    report: Report,
-}
-
-/// Checks quads against the triangles that were paired, and those, if they are `flipped`, against
-/// the triangles given.
-fn check_result(
-    quads: &Faces,
-    flipped: Option<&Faces>,
-    given: &Mesh,
-) -> Result<CheckReport, Mismatch> {
-    let vertices = given.positions().len();
-    if let Some(flipped) = flipped {
-        check_retriangulated_faces(flipped, given.faces(), vertices)?;
-    }
-    check_faces(quads, flipped.unwrap_or(given.faces()), vertices)
+/// The surface of a mesh.
+enum Built {
+    Closed(Triangulation),
+    /// Open or one-sided, with its counts.
+    Open(OpenTriangulation, Box<Survey>),
 }

@@ -1,8 +1,9 @@
 //! Why a conversion has no result.
 
 use super::report::Report;
-use crate::matching::weighted::{CertificateError, SolveError};
-use crate::quadrangulation::Mismatch;
+use crate::matching::weighted::SolveError;
+use crate::pairing::{Algorithm, ProofError};
+use crate::quadrangulation::{CostCountError, Mismatch, NoSuchEdge};
 use crate::triangulation::Survey;
 
 /// Why a mesh was not converted.
@@ -20,7 +21,30 @@ pub enum ConvertError {
     Costs(SolveError),
     /// The proof of least cost is wrong: a mistake of this library.
     #[error("the proof of least cost failed its check, please report this: {0}")]
-    Unproved(#[from] CertificateError),
+    Unproved(#[from] ProofError),
+    /// More triangles are left than must be: a mistake of this library.
+    #[error("more triangles are left than must be, please report this")]
+    NotFewest,
+    /// There is not one cost for each edge.
+    #[error("{0}")]
+    CostCount(#[from] CostCountError),
+    /// An edge to keep is none of the mesh.
+    #[error("{0}")]
+    NoSuchEdge(#[from] NoSuchEdge),
+    /// The algorithm works on closed, two-sided surfaces only.
+    #[error(
+        "{0} works on closed, two-sided surfaces only: it needs three neighbours at every triangle \
+         and two sides at every edge; use best, tq, ps or sg"
+    )]
+    NeedsClosed(Algorithm),
+    /// The algorithm cannot aim at what was asked for.
+    #[error("{aim} cannot be given to {algorithm}; use best")]
+    NeedsBest {
+        /// What was asked for.
+        aim: &'static str,
+        /// The algorithm.
+        algorithm: Algorithm,
+    },
     /// [`Progress`](super::Progress) stopped the conversion; the report has what was counted.
     #[error("stopped after {} augmenting paths", .0.paths.paths)]
     Stopped(Box<Report>),

@@ -2,12 +2,16 @@
 //!
 //! Uses all rooms of the chain; nothing uses it.
 
+mod aims;
+mod closed;
 mod converted;
 mod converter;
 mod error;
+mod mixed;
 mod progress;
 mod report;
 
+pub use aims::Aims;
 pub use converted::{Converted, Quadrangulated};
 pub use converter::Converter;
 pub use error::ConvertError;

@@ -3,10 +3,11 @@
 use std::fmt;
 
 use crate::augmentation::{Augmentation, AugmentationStats};
-use crate::pairing::Algorithm;
+use crate::irreducible::Discipline;
+use crate::pairing::{Algorithm, LRS_ORDER};
 use crate::quadrangulation::SharpEdges;
 use crate::quadrangulation::quality::Quality;
-use crate::triangulation::Triangulation;
+use crate::triangulation::{Survey, Triangulation};
 
 /// Counts, quality and times of a conversion. Times are in seconds.
 ///
@@ -16,6 +17,8 @@ use crate::triangulation::Triangulation;
 pub struct Report {
     /// Algorithm of the initial pairing.
     pub algorithm: Algorithm,
+    /// Order in which `lrs` tests the edges at a vertex; the others have no use for it.
+    pub lrs_order: Discipline,
     /// Kind of augmentation.
     pub augmentation: Augmentation,
     /// Master seed of the random choices.
@@ -26,12 +29,18 @@ pub struct Report {
     pub edges: usize,
     /// Triangles n_f.
     pub triangles: usize,
-    /// Genus, summed over components.
+    /// Genus, summed over the two-sided components; holes count as filled.
     pub genus: usize,
     /// Connected components.
     pub components: usize,
+    /// Boundary loops, if the surface was open or one-sided.
+    pub boundary_loops: Option<usize>,
+    /// Cross-caps of the one-sided components, if there are any.
+    pub non_orientable_genus: Option<usize>,
     /// Quads; 0 if the conversion was stopped.
     pub quads: usize,
+    /// Triangles left over, if some might have been.
+    pub leftover_triangles: Option<usize>,
     /// Vertices of degree 2, where two quads share two edges; known from the check.
     pub degree_two_vertices: usize,
     /// Triangles k that the initial pairing left unpaired: column (c).
@@ -44,8 +53,14 @@ pub struct Report {
     pub stopped: bool,
     /// Total cost of the pairing, if `best` was given coordinates.
     pub total_cost: Option<i128>,
-    /// Whether a certificate was verified that no perfect pairing costs less.
+    /// Whether a certificate was verified that no pairing as asked for costs less.
     pub is_proved_least: bool,
+    /// Whether a barrier was verified that shows that no pairing leaves fewer triangles.
+    pub is_proved_fewest: bool,
+    /// Edges to keep, if any were asked for.
+    pub kept_edges: Option<usize>,
+    /// Those of them that were given up, as few as can be.
+    pub given_up_edges: Option<usize>,
     /// Shape of the quads; none without a check.
     pub quality: Option<Quality>,
     /// Sharp edges and those kept; none without a check.
@@ -56,10 +71,45 @@ pub struct Report {
     pub cost_seconds: f64,
     /// Column (a): from the triangulation to the initial pairing, its dual graph included.
     pub pairing_seconds: f64,
+    /// The part of column (a) in which edges or triangles are shuffled; 0 but for `sg` and `ps`.
+    pub shuffle_seconds: f64,
     /// Column (d): from the initial pairing to the perfect one.
     pub augmentation_seconds: f64,
     /// The check of the result, from the two meshes alone.
     pub check_seconds: f64,
+}
+
+/// Counts of a surface.
+pub(super) struct Size {
+    vertices: usize,
+    edges: usize,
+    triangles: usize,
+    genus: usize,
+    components: usize,
+}
+
+impl From<&Triangulation> for Size {
+    fn from(triangulation: &Triangulation) -> Self {
+        Self {
+            vertices: triangulation.vertex_count(),
+            edges: triangulation.edge_count(),
+            triangles: triangulation.triangle_count(),
+            genus: triangulation.genus(),
+            components: triangulation.component_count(),
+        }
+    }
+}
+
+impl From<&Survey> for Size {
+    fn from(survey: &Survey) -> Self {
+        Self {
+            vertices: survey.vertices,
+            edges: survey.edges,
+            triangles: survey.triangles,
+            genus: survey.handles.unwrap_or(0),
+            components: survey.components,
+        }
+    }
 }
 
 impl Report {
@@ -68,18 +118,22 @@ impl Report {
         algorithm: Algorithm,
         augmentation: Augmentation,
         seed: u64,
-        triangulation: &Triangulation,
+        size: Size,
     ) -> Self {
         Self {
             algorithm,
+            lrs_order: LRS_ORDER,
             augmentation,
             seed,
-            vertices: triangulation.vertex_count(),
-            edges: triangulation.edge_count(),
-            triangles: triangulation.triangle_count(),
-            genus: triangulation.genus(),
-            components: triangulation.component_count(),
+            vertices: size.vertices,
+            edges: size.edges,
+            triangles: size.triangles,
+            genus: size.genus,
+            components: size.components,
+            boundary_loops: None,
+            non_orientable_genus: None,
             quads: 0,
+            leftover_triangles: None,
             degree_two_vertices: 0,
             unpaired_triangles: 0,
             edge_flips: 0,
@@ -87,11 +141,15 @@ impl Report {
             stopped: false,
             total_cost: None,
             is_proved_least: false,
+            is_proved_fewest: false,
+            kept_edges: None,
+            given_up_edges: None,
             quality: None,
             sharp_edges: None,
             build_seconds: 0.0,
             cost_seconds: 0.0,
             pairing_seconds: 0.0,
+            shuffle_seconds: 0.0,
             augmentation_seconds: 0.0,
             check_seconds: 0.0,
         }
@@ -111,7 +169,8 @@ impl Report {
     fn fmt_pairing(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(cost) = self.total_cost {
             let proof = if self.is_proved_least { ", proved least" } else { "" };
-            return write!(f, "{}: total cost {cost}{proof}", self.algorithm);
+            write!(f, "{}: total cost {cost}{proof}", self.algorithm)?;
+            return self.fmt_given_up(f);
         }
         write!(
             f,
@@ -121,6 +180,38 @@ impl Report {
             100.0 - self.paired_percent(),
             self.augmentation,
         )
+    }
+
+    /// Writes how many edges to keep were given up, if there were any.
+    fn fmt_given_up(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.kept_edges, self.given_up_edges) {
+            (Some(all), Some(0)) => write!(f, "; none of {all} edges to keep given up"),
+            (Some(all), Some(lost)) => {
+                write!(f, "; {lost} of {all} edges to keep given up, proved fewest")
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes the topology: genus, cross-caps and holes.
+    fn fmt_topology(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "(genus {}", self.genus)?;
+        if let Some(cross_caps) = self.non_orientable_genus {
+            write!(f, ", non-orientable genus {cross_caps}")?;
+        }
+        match self.boundary_loops {
+            None => write!(f, ")"),
+            Some(1) => write!(f, ", 1 boundary loop)"),
+            Some(loops) => write!(f, ", {loops} boundary loops)"),
+        }
+    }
+
+    /// Writes how many triangles are left, if some might have been.
+    fn fmt_left(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(left) = self.leftover_triangles else { return Ok(()) };
+        let plural = if left == 1 { "" } else { "s" };
+        let proof = if self.is_proved_fewest { " (proved fewest)" } else { "" };
+        write!(f, " and {left} triangle{plural} left over{proof}")
     }
 
     /// Writes the shape of the quads, if it was measured.
@@ -167,11 +258,11 @@ impl fmt::Display for Report {
         if self.stopped {
             return self.fmt_stopped(f);
         }
-        write!(
-            f,
-            "{} triangles (genus {}) -> {} quads on the same {} vertices; ",
-            self.triangles, self.genus, self.quads, self.vertices,
-        )?;
+        write!(f, "{} triangles ", self.triangles)?;
+        self.fmt_topology(f)?;
+        write!(f, " -> {} quads", self.quads)?;
+        self.fmt_left(f)?;
+        write!(f, " on the same {} vertices; ", self.vertices)?;
         self.fmt_pairing(f)?;
         self.fmt_shape(f)?;
         write!(f, "; paired in {:.3} s", self.total_seconds())
@@ -187,6 +278,7 @@ impl serde::Serialize for Report {
         map.serialize_entry("algorithm", self.algorithm.id())?;
         if let Algorithm::Lrs(expansion) = self.algorithm {
             map.serialize_entry("lrs_variant", expansion.id())?;
+            map.serialize_entry("lrs_order", self.lrs_order.id())?;
         }
         map.serialize_entry("augmentation", self.augmentation.id())?;
         map.serialize_entry("seed", &self.seed)?;
@@ -195,7 +287,17 @@ impl serde::Serialize for Report {
         map.serialize_entry("triangles", &self.triangles)?;
         map.serialize_entry("genus", &self.genus)?;
         map.serialize_entry("components", &self.components)?;
+        if let Some(loops) = self.boundary_loops {
+            map.serialize_entry("boundary_loops", &loops)?;
+        }
+        if let Some(cross_caps) = self.non_orientable_genus {
+            map.serialize_entry("non_orientable_genus", &cross_caps)?;
+        }
         map.serialize_entry("quads", &self.quads)?;
+        if let Some(left) = self.leftover_triangles {
+            map.serialize_entry("leftover_triangles", &left)?;
+            map.serialize_entry("proved_fewest", &self.is_proved_fewest)?;
+        }
         map.serialize_entry("degree_two_vertices", &self.degree_two_vertices)?;
         map.serialize_entry("unpaired_triangles", &self.unpaired_triangles)?;
         map.serialize_entry("paired_percent", &self.paired_percent())?;
@@ -209,8 +311,13 @@ impl serde::Serialize for Report {
             map.serialize_entry("proved_least", &self.is_proved_least)?;
             map.serialize_entry("cost_seconds", &self.cost_seconds)?;
         }
+        if let (Some(all), Some(given_up)) = (self.kept_edges, self.given_up_edges) {
+            map.serialize_entry("kept_edges", &all)?;
+            map.serialize_entry("given_up_edges", &given_up)?;
+        }
         map.serialize_entry("build_seconds", &self.build_seconds)?;
         map.serialize_entry("pairing_seconds", &self.pairing_seconds)?;
+        map.serialize_entry("shuffle_seconds", &self.shuffle_seconds)?;
         map.serialize_entry("augmentation_seconds", &self.augmentation_seconds)?;
         map.serialize_entry("total_seconds", &self.total_seconds())?;
         map.serialize_entry("check_seconds", &self.check_seconds)?;

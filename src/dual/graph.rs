@@ -1,10 +1,12 @@
 //! The dual graph: a node for each triangle, joined to those across its three edges.
 
+use super::row::Row;
 use crate::mesh::MAX_CORNERS;
+use crate::parallel::collect;
 use crate::prefetch::prefetch;
-use crate::triangulation::{Side, TriangleId, Triangulation};
+use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
 
-/// For each triangle its three neighbours, or none across a boundary. 12 bytes a triangle.
+/// For each triangle its three neighbours, or none across a boundary. 16 bytes a triangle.
 ///
 /// The graph has neither orientation nor vertices of the mesh. That of a closed surface is
 /// 3-regular and, as the triangulation is simple, bridgeless.
@@ -27,7 +29,7 @@ use crate::triangulation::{Side, TriangleId, Triangulation};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DualGraph {
-    sides: Vec<[TriangleId; 3]>,
+    rows: Vec<Row>,
     has_boundary: bool,
 }
 
@@ -66,10 +68,22 @@ impl Sides for DualGraph {
 
 impl DualGraph {
     /// Returns the dual graph of a triangulation: neighbour `i` lies across side `i`. O(n).
-    pub fn new(triangulation: &Triangulation) -> Self {
-        let (sides, _) = triangulation.sides().as_chunks::<3>();
-        let across = |sides: &[Side; 3]| sides.map(|side| side.twin.triangle());
-        Self { sides: sides.iter().map(across).collect(), has_boundary: false }
+    pub fn new(surface: &impl Surface) -> Self {
+        Self::from_rows(Self::rows_of(surface, 0), !surface.is_closed())
+    }
+
+    /// Returns the rows of the dual graph of a surface, each with `beside` in it. O(n).
+    pub(crate) fn rows_of(surface: &impl Surface, beside: u32) -> Vec<Row> {
+        let across = |h| surface.across(h).map_or(TriangleId::NONE, HalfEdgeId::triangle);
+        collect(surface.triangle_count(), |f| Row {
+            sides: TriangleId::new(f).half_edges().map(across),
+            beside,
+        })
+    }
+
+    /// Makes a graph of its rows; the numbers beside the neighbours lose their meaning.
+    pub(crate) fn from_rows(rows: Vec<Row>, has_boundary: bool) -> Self {
+        Self { rows, has_boundary }
     }
 
     /// Makes a graph of `nodes` nodes with at most three edges each. O(n).
@@ -83,30 +97,29 @@ impl DualGraph {
         if nodes > MAX_CORNERS / 3 {
             return Err(DualGraphError::TooLarge);
         }
-        let mut neighbours = vec![[TriangleId::NONE; 3]; nodes];
+        let mut rows = vec![Row { sides: [TriangleId::NONE; 3], beside: 0 }; nodes];
         for &(a, b) in edges {
             for (from, to) in [(a, b), (b, a)] {
-                let row =
-                    neighbours.get_mut(from as usize).ok_or(DualGraphError::OutOfRange(from))?;
+                let row = rows.get_mut(from as usize).ok_or(DualGraphError::OutOfRange(from))?;
                 if from == to {
                     return Err(DualGraphError::Loop(from));
                 }
-                let free = row.iter_mut().find(|slot| **slot == TriangleId::NONE);
+                let free = row.sides.iter_mut().find(|slot| **slot == TriangleId::NONE);
                 *free.ok_or(DualGraphError::Degree(from))? = TriangleId(to);
             }
         }
-        let has_boundary = neighbours.as_flattened().contains(&TriangleId::NONE);
-        Ok(Self { sides: neighbours, has_boundary })
+        let has_boundary = rows.iter().any(|row| row.sides.contains(&TriangleId::NONE));
+        Ok(Self::from_rows(rows, has_boundary))
     }
 
     /// Returns the number of triangles.
     pub fn len(&self) -> usize {
-        self.sides.len()
+        self.rows.len()
     }
 
     /// Returns whether there is no triangle.
     pub fn is_empty(&self) -> bool {
-        self.sides.is_empty()
+        self.rows.is_empty()
     }
 
     /// Iterates over all triangles in order.
@@ -123,12 +136,12 @@ impl DualGraph {
     /// Returns the sides as [`DualGraph::sides`] does, with [`TriangleId::NONE`] across a boundary.
     #[inline]
     pub(crate) fn sides_or_none(&self, f: TriangleId) -> [TriangleId; 3] {
-        self.sides[f.index()]
+        self.rows[f.index()].sides
     }
 
-    /// Returns the sides of all triangles in order, [`TriangleId::NONE`] across a boundary.
-    pub(crate) fn all_sides(&self) -> &[[TriangleId; 3]] {
-        &self.sides
+    /// Returns the rows of all triangles in order.
+    pub(crate) fn rows(&self) -> &[Row] {
+        &self.rows
     }
 
     /// Iterates over the triangles that share an edge with `f`, in the order of its sides.
@@ -145,12 +158,12 @@ impl DualGraph {
     /// Prefetches the sides of `f`.
     #[inline]
     pub(crate) fn prefetch(&self, f: TriangleId) {
-        prefetch(&self.sides, f.index());
+        prefetch(&self.rows, f.index());
     }
 
     /// Prefetches the sides of the neighbours of `f`.
     #[inline]
     pub(crate) fn prefetch_around(&self, f: TriangleId) {
-        self.sides_or_none(f).into_iter().for_each(|g| prefetch(&self.sides, g.index()));
+        self.sides_or_none(f).into_iter().for_each(|g| prefetch(&self.rows, g.index()));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::graph::DualGraph;
 use crate::prefetch::prefetch;
-use crate::triangulation::{IdVec, TriangleId};
+use crate::triangulation::{HalfEdgeId, IdVec, TriangleId};
 
 /// A matching in a dual graph: disjoint pairs of edge-adjacent triangles. 4 bytes a triangle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -84,6 +84,18 @@ impl Matching {
     /// Iterates over the unpaired triangles in order. O(n) for all of them.
     pub fn unpaired(&self) -> impl Iterator<Item = TriangleId> {
         self.mate.ids().filter(|&f| !self.is_paired(f))
+    }
+
+    /// Iterates over the sides between two mates, those of the lower triangles, in order. O(n).
+    ///
+    /// A pair that shares several edges of `graph` lies across each of them.
+    pub fn sides<'m>(&'m self, graph: &'m DualGraph) -> impl Iterator<Item = HalfEdgeId> + 'm {
+        let is_inside = move |side: &HalfEdgeId| {
+            let (f, beyond) =
+                (side.triangle(), graph.sides_or_none(side.triangle())[side.index() % 3]);
+            beyond != TriangleId::NONE && f < beyond && self.mate[f] == beyond
+        };
+        graph.triangles().flat_map(TriangleId::half_edges).filter(is_inside)
     }
 
     /// Pairs the ends of every new edge of an augmenting path.

@@ -2,7 +2,9 @@
 
 mod graph;
 mod matching;
+mod row;
 
 pub(crate) use graph::Sides;
 pub use graph::{DualGraph, DualGraphError};
 pub use matching::{Matching, PerfectMatching};
+pub(crate) use row::Row;

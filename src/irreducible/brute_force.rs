@@ -7,8 +7,8 @@ use super::contracted::{Contracted, Counts};
 use crate::random::Random;
 use crate::triangulation::{HalfEdgeId, IdVec, LinkMarks, ShrinkingTriangulation, VertexSplit};
 
-/// Contracts edges of `triangulation` until none can be, by brute force. The end of less degree is
-/// merged into the other.
+/// Contracts edges of `triangulation` until none can be, by brute force. Which end survives is
+/// arbitrary, as in the paper: `random` decides.
 ///
 /// Each test of [u, v] takes O(deg u + deg v) time, and there may be Ω(n²) of them. 30 bytes a
 /// triangle beside `triangulation`.
@@ -24,7 +24,8 @@ pub fn brute_force(triangulation: ShrinkingTriangulation, random: &mut Random) -
     random.shuffle(&mut pending);
     loop {
         let before = run.splits.len();
-        pending.retain(|&edge| edges.is_alive(edge) && !run.try_to_contract(&mut edges, edge));
+        pending
+            .retain(|&edge| edges.is_alive(edge) && !run.try_to_contract(&mut edges, edge, random));
         if run.splits.len() == before {
             break;
         }
@@ -82,18 +83,20 @@ struct BruteForce {
 
 impl BruteForce {
     /// Tests `edge` and contracts it if it passes. Returns whether it did.
-    fn try_to_contract(&mut self, edges: &mut StableEdges, edge: u32) -> bool {
+    fn try_to_contract(&mut self, edges: &mut StableEdges, edge: u32, random: &mut Random) -> bool {
         let side = edges.side[edge as usize];
         let tests = &mut edges.tests[edge as usize];
-        self.counts.link_condition_tests += 1;
         self.counts.edges_tested_more_than_once += usize::from(*tests == 1);
         *tests = (*tests + 1).min(2);
+        let degrees = [self.k.origin(side), self.k.destination(side)].map(|v| self.k.degree(v));
+        self.counts.add_test(degrees);
+        if !degrees.contains(&3) {
+            self.counts.link_vertices_visited += degrees.map(u64::from).iter().sum::<u64>();
+        }
         if !self.k.is_contractible(side, &mut self.marks) {
             return false;
         }
-        let [here, there] = [self.k.origin(side), self.k.destination(side)];
-        let towards_less = self.k.degree(there) <= self.k.degree(here);
-        let h = if towards_less { side } else { self.k.twin(side) };
+        let h = if random.below(2) == 0 { side } else { self.k.twin(side) };
         edges.contract(&self.k, h);
         self.splits.push(self.k.contract(h));
         true

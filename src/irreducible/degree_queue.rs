@@ -1,128 +1,119 @@
-//! The global dictionary of Schipper's algorithm: vertices ordered by degree.
+//! The global dictionary of Schipper's algorithm: vertices by degree.
 
+use crate::random::Random;
 use crate::triangulation::{IdVec, VertexId};
 
-/// Vertices ordered by degree, and by id where degrees are equal: a binary heap in an array, with
-/// the place of each vertex in it. O(log n) an operation; 12 bytes a vertex.
+/// Vertices by degree, in one array for each degree. O(1) an operation, but for the search of the
+/// least degree after it has grown; 12 bytes a vertex.
 #[derive(Debug)]
 pub(super) struct DegreeQueue {
-    /// Degree and id, in heap order: no entry is less than its parent, that of `i` at `(i - 1) /
-    /// 2`.
-    heap: Vec<(u32, VertexId)>,
-    /// Place of each vertex in the heap, or [`ABSENT`].
-    place: IdVec<VertexId, u32>,
+    /// The vertices of each degree, in no order.
+    buckets: Vec<Vec<VertexId>>,
+    /// Place of each vertex.
+    places: IdVec<VertexId, Place>,
+    /// No vertex has a lesser degree.
+    least: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    degree: u32,
+    /// Index among the vertices of that degree, or [`ABSENT`].
+    index: u32,
 }
 
 const ABSENT: u32 = u32::MAX;
 
 impl DegreeQueue {
-    /// Makes a queue of `entries`, pairs of degree and id, where ids are below `vertices`. O(n).
-    pub(super) fn new(entries: Vec<(u32, VertexId)>, vertices: usize) -> Self {
-        let mut queue = Self { heap: entries, place: IdVec::filled(ABSENT, vertices) };
-        for i in 0..queue.heap.len() {
-            queue.place[queue.heap[i].1] = i as u32;
-        }
-        for i in (0..queue.heap.len() / 2).rev() {
-            queue.sink(i);
-        }
+    /// Makes a queue of pairs of degree and id, where ids are below `vertices`. O(n).
+    pub(super) fn new(entries: impl Iterator<Item = (u32, VertexId)>, vertices: usize) -> Self {
+        let places = IdVec::filled(Place { degree: 0, index: ABSENT }, vertices);
+        let mut queue = Self { buckets: Vec::new(), places, least: 0 };
+        entries.for_each(|(degree, v)| queue.put(v, degree));
         queue
     }
 
-    /// Returns a vertex of least degree.
-    pub(super) fn first(&self) -> Option<VertexId> {
-        self.heap.first().map(|&(_, v)| v)
+    /// Draws one of the vertices of least degree.
+    pub(super) fn draw_least(&mut self, random: &mut Random) -> Option<VertexId> {
+        let from_least = self.buckets.get(self.least..)?;
+        self.least += from_least.iter().position(|bucket| !bucket.is_empty())?;
+        let bucket = &self.buckets[self.least];
+        Some(bucket[random.below(bucket.len() as u32) as usize])
     }
 
     /// Removes `v`, which must be in the queue.
     pub(super) fn remove(&mut self, v: VertexId) {
-        let i = self.place[v] as usize;
-        self.place[v] = ABSENT;
-        let last = self.heap.pop().expect("the vertex is in");
-        if i < self.heap.len() {
-            self.heap[i] = last;
-            self.restore(i);
+        let Place { degree, index } = self.places[v];
+        self.places[v].index = ABSENT;
+        let bucket = &mut self.buckets[degree as usize];
+        bucket.swap_remove(index as usize);
+        if let Some(&moved) = bucket.get(index as usize) {
+            self.places[moved].index = index;
         }
     }
 
     /// Changes the degree of `v`, if it is in the queue.
     pub(super) fn update(&mut self, v: VertexId, degree: u32) {
-        let i = self.place[v];
-        if i != ABSENT {
-            self.heap[i as usize].0 = degree;
-            self.restore(i as usize);
+        if self.places[v].index != ABSENT {
+            self.remove(v);
+            self.put(v, degree);
         }
     }
 
-    /// Moves entry `i` up or down to its place.
-    fn restore(&mut self, i: usize) {
-        if i > 0 && self.heap[i] < self.heap[(i - 1) / 2] {
-            self.rise(i);
-        } else {
-            self.sink(i);
+    fn put(&mut self, v: VertexId, degree: u32) {
+        let at = degree as usize;
+        if at >= self.buckets.len() {
+            self.buckets.resize_with(at + 1, Vec::new);
         }
-    }
-
-    fn rise(&mut self, mut i: usize) {
-        let entry = self.heap[i];
-        while i > 0 && entry < self.heap[(i - 1) / 2] {
-            self.put(i, self.heap[(i - 1) / 2]);
-            i = (i - 1) / 2;
-        }
-        self.put(i, entry);
-    }
-
-    fn sink(&mut self, mut i: usize) {
-        let entry = self.heap[i];
-        while let Some(&left) = self.heap.get(2 * i + 1) {
-            let right = self.heap.get(2 * i + 2).filter(|&&right| right < left);
-            let (child, lesser) = right.map_or((2 * i + 1, left), |&right| (2 * i + 2, right));
-            if entry <= lesser {
-                break;
-            }
-            self.put(i, lesser);
-            i = child;
-        }
-        self.put(i, entry);
-    }
-
-    fn put(&mut self, i: usize, entry: (u32, VertexId)) {
-        self.heap[i] = entry;
-        self.place[entry.1] = i as u32;
+        self.places[v] = Place { degree, index: self.buckets[at].len() as u32 };
+        self.buckets[at].push(v);
+        self.least = self.least.min(at);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
+    use std::collections::BTreeMap;
 
     use super::*;
-    use crate::random::Random;
+
+    const VERTICES: u32 = 200;
+
+    fn id(v: u32) -> VertexId {
+        VertexId::new(v as usize)
+    }
 
     #[test]
-    fn it_agrees_with_an_ordered_set() {
-        const VERTICES: u32 = 200;
+    fn it_agrees_with_a_search_through_all_vertices() {
         let mut random = Random::stream(1, &["degree-queue"]);
-        let degrees: Vec<u32> = (0..VERTICES).map(|_| random.below(9)).collect();
-        let id = |v: u32| VertexId::new(v as usize);
-        let mut entries: Vec<_> = (0..VERTICES).map(|v| (degrees[v as usize], id(v))).collect();
-        random.shuffle(&mut entries);
-        let mut set: BTreeSet<_> = entries.iter().copied().collect();
+        let mut degrees: BTreeMap<_, _> = (0..VERTICES).map(|v| (id(v), random.below(9))).collect();
+        let entries = degrees.iter().map(|(&v, &degree)| (degree, v));
         let mut queue = DegreeQueue::new(entries, VERTICES as usize);
-        while let Some(&first) = set.first() {
-            assert_eq!(queue.first(), Some(first.1));
+        while let Some(&least) = degrees.values().min() {
+            let drawn = queue.draw_least(&mut random).unwrap();
+            assert_eq!(degrees[&drawn], least);
             for _ in 0..3 {
                 let (v, degree) = (id(random.below(VERTICES)), random.below(12));
                 queue.update(v, degree);
-                let old = set.iter().find(|entry| entry.1 == v).copied();
-                if let Some(old) = old {
-                    set.remove(&old);
-                    set.insert((degree, v));
-                }
+                degrees.entry(v).and_modify(|old| *old = degree);
             }
-            let &(_, gone) = set.iter().nth(random.below(set.len() as u32) as usize).unwrap();
+            let at = random.below(degrees.len() as u32) as usize;
+            let gone = *degrees.keys().nth(at).unwrap();
             queue.remove(gone);
-            set.retain(|entry| entry.1 != gone);
+            degrees.remove(&gone);
         }
-        assert_eq!(queue.first(), None);
+        assert_eq!(queue.draw_least(&mut random), None);
+    }
+
+    #[test]
+    fn vertices_of_equal_degree_are_drawn_equally_often() {
+        let mut random = Random::stream(2, &["degree-queue"]);
+        let mut queue = DegreeQueue::new((0..8).map(|v| (5 + v / 4, id(v))), 8);
+        let mut drawn = [0; 8];
+        for _ in 0..4000 {
+            drawn[queue.draw_least(&mut random).unwrap().index()] += 1;
+        }
+        assert!(drawn[..4].iter().all(|count| (850..1150).contains(count)), "{drawn:?}");
+        assert_eq!(drawn[4..], [0; 4]);
     }
 }

@@ -15,6 +15,7 @@ mod invariants;
 mod neighbour_sets;
 mod ramaswami_siqueira;
 mod schipper;
+mod waiting_edges;
 
 use crate::mesh::Mesh;
 use crate::names::named;
@@ -125,7 +126,7 @@ impl Contractor {
                 let order = order.vertex_ids(k.vertex_id_count(), &mut random);
                 ramaswami_siqueira(k, order, Discipline::default())
             }
-            Self::Schipper => schipper(k),
+            Self::Schipper => schipper(k, &mut random),
             Self::BruteForce => brute_force(k, &mut random),
         };
         let (vertices, triangulation) = reduction.triangulation.survivors();

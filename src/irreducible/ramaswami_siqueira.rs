@@ -11,9 +11,16 @@
 //! aside is contractible (Algorithm 4.2, line 34). Departs in form too: an edge at u is named by
 //! its other end, so vertices carry what the paper keeps in edge records, and the two walks over
 //! the new neighbours of u are one.
+//!
+//! Departs in cost at one place. When u gains a processed neighbour z, the printed Algorithm 4.5
+//! walks round z to find the edges put aside that make a critical cycle with it, and z may have a
+//! large part of all vertices for neighbours. Here an edge [u, w] that is put aside is listed at
+//! every processed vertex in the link of w that is no neighbour of u yet. The link of w gains no
+//! vertex as long as w is a neighbour of u, so these lists have all that a walk would find.
 
 use super::contracted::{Contracted, Counts};
 use super::edge_lists::{Discipline, EdgeLists, List};
+use super::waiting_edges::WaitingEdges;
 use crate::triangulation::{
     Contraction, HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit,
 };
@@ -22,7 +29,7 @@ use crate::triangulation::{
 /// which should hold all vertices. Those that are gone or in no triangle are skipped.
 ///
 /// O(n) for surfaces of genus 0 and O(g² + g n) for genus g > 0; 36 bytes a vertex for the state
-/// and the receipts. Triangles that are numbered at random take about three times as long as
+/// and the receipts, and 8 for each edge between one put aside and a processed vertex. Triangles that are numbered at random take about three times as long as
 /// others; renumbering them first was measured to take longer than that.
 pub fn ramaswami_siqueira(
     triangulation: ShrinkingTriangulation,
@@ -57,9 +64,11 @@ pub(super) const NEVER: u32 = u32::MAX;
 /// for one that has never been a neighbour.
 #[derive(Clone, Copy, Debug, bytemuck::Zeroable)]
 pub(super) struct Neighbour {
-    /// n: the last round in which it was a neighbour; instead of the vertex that was u.
+    /// n: the number of the last vertex u that it was a neighbour of, or one more if edges put
+    /// aside have only waited for it.
     pub(super) round: u32,
-    /// c: critical cycles through [u, v], if [u, v] has been put aside.
+    /// c: critical cycles through [u, v], if [u, v] has been put aside. The first edge that waits
+    /// for v, if there are such edges.
     pub(super) critical_cycles: u32,
     /// o: when it became a neighbour of u.
     pub(super) known_since: u32,
@@ -95,15 +104,17 @@ pub(super) struct RamaswamiSiqueira<O> {
     pub(super) lists: EdgeLists<Neighbour>,
     /// u.
     pub(super) centre: VertexId,
-    /// The number of vertices that have been u, with this one.
+    /// Twice the number of vertices that have been u, with this one.
     pub(super) round: u32,
     /// ts: the number of contractions.
     now: u32,
     discipline: Discipline,
     /// Of the edge [u, v] at hand, the spokes of v but those to u and the apexes.
     far_spokes: Vec<FarSpoke>,
+    /// Edges put aside that wait for a processed vertex to become a neighbour of u.
+    waiting: WaitingEdges,
     splits: Vec<VertexSplit>,
-    link_condition_tests: usize,
+    counts: Counts,
     pub(super) observer: O,
 }
 
@@ -117,18 +128,15 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
             now: 0,
             discipline,
             far_spokes: Vec::new(),
-            link_condition_tests: 0,
+            waiting: WaitingEdges::default(),
+            counts: Counts::default(),
             observer,
             k,
         }
     }
 
     pub(super) fn finish(self) -> Contracted {
-        let counts = Counts {
-            link_condition_tests: self.link_condition_tests,
-            edges_tested_more_than_once: 0,
-        };
-        Contracted { triangulation: self.k, splits: self.splits, counts }
+        Contracted { triangulation: self.k, splits: self.splits, counts: self.counts }
     }
 
     /// Processes all vertices in `order` (Algorithm 4.2).
@@ -145,7 +153,11 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         self.meet_neighbours(u);
         loop {
             while let Some(v) = self.lists.pop_front(List::Untested) {
-                self.lists[v].tested_at = self.now;
+                let neighbour = &mut self.lists[v];
+                // It never happens: no vertex is u twice, and none comes back into the list.
+                let again = neighbour.processed || neighbour.tested_at != NEVER;
+                self.counts.edges_tested_more_than_once += usize::from(again);
+                neighbour.tested_at = self.now;
                 self.observer.popped(self, v);
                 if self.k.degree(v) == 3 {
                     self.contract_degree_three(v);
@@ -169,7 +181,8 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
     /// Makes `u` the centre and lists its edges to vertices that have not been processed.
     fn meet_neighbours(&mut self, u: VertexId) {
         self.centre = u;
-        self.round += 1;
+        self.round += 2;
+        self.waiting.clear();
         self.lists.clear(List::Untested);
         self.lists.clear(List::Tested);
         for h in self.k.spokes(u) {
@@ -208,10 +221,10 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
     /// Tests [u, v] against the link condition by counting its critical cycles, and contracts it or
     /// puts it aside (Algorithm 4.4). O(deg v).
     fn test(&mut self, v: VertexId) {
-        self.link_condition_tests += 1;
+        self.counts.add_test([self.centre, v].map(|end| self.k.degree(end)));
         self.observer.tested(self, v);
         let Neighbour { spoke, known_since, .. } = self.lists[v];
-        let mut cycles = 0;
+        let (mut cycles, mut any_stranger) = (0, false);
         self.far_spokes.clear();
         for g in self.k.far_spokes(spoke) {
             let far = FarSpoke::new(&self.k, g);
@@ -219,19 +232,38 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
             let z = far.end;
             // If [u, v] is contracted, [u, z] is tested soon.
             self.k.prefetch(far.across);
-            let Neighbour { round, tested_at, .. } = self.lists[z];
+            let Neighbour { round, tested_at, processed, .. } = self.lists[z];
             if round == self.round {
                 cycles += 1;
                 if tested_at != NEVER && tested_at < known_since {
                     count(&mut self.lists, z);
                 }
+            } else {
+                any_stranger |= processed;
             }
         }
+        self.counts.link_vertices_visited += self.far_spokes.len() as u64;
         self.lists[v].critical_cycles = cycles;
         if cycles == 0 {
             self.contract_walked(v);
-        } else {
-            self.lists.push_rear(List::Tested, v);
+            return;
+        }
+        self.lists.push_rear(List::Tested, v);
+        if any_stranger {
+            self.wait_for_strangers(v);
+        }
+    }
+
+    /// Lists [u, w], which has just been put aside, at each processed vertex in the link of `w` that
+    /// is no neighbour of u.
+    fn wait_for_strangers(&mut self, w: VertexId) {
+        for &FarSpoke { end: z, .. } in &self.far_spokes {
+            let stranger = &mut self.lists[z];
+            if stranger.processed && stranger.round != self.round {
+                let next = stranger.first_waiting(self.round);
+                stranger.round = self.round + 1;
+                stranger.critical_cycles = self.waiting.push_before(next, w);
+            }
         }
     }
 
@@ -257,8 +289,8 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         self.lists.front(List::Tested).filter(|&v| self.lists[v].critical_cycles == 0)
     }
 
-    /// Contracts [u, v], which must be in no list. O(deg v) and the degrees of processed neighbours
-    /// gained.
+    /// Contracts [u, v], which must be in no list. O(deg v) and the edges that wait for processed
+    /// neighbours gained.
     fn contract(&mut self, v: VertexId) {
         self.far_spokes.clear();
         let far_spokes = self.k.far_spokes(self.lists[v].spoke);
@@ -287,9 +319,12 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         for &FarSpoke { spoke: g, end: z, across } in &self.far_spokes {
             self.prefetch_beyond(across);
             let neighbour = &mut self.lists[z];
+            let first_waiting = neighbour.first_waiting(self.round);
             neighbour.meet(self.round, g, self.now);
             if neighbour.processed {
-                count_cycles_through(&self.k, &mut self.lists, self.round, g);
+                let visited = &mut self.counts.link_vertices_visited;
+                let edges = self.waiting.list(first_waiting).inspect(|_| *visited += 1);
+                count_cycles_through(&self.k, &mut self.lists, g, edges);
             } else {
                 self.lists.enter(z, self.k.degree(z), self.discipline);
             }
@@ -319,6 +354,12 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
 }
 
 impl Neighbour {
+    /// Returns the first edge that waits for this vertex in this `round`, or [`WaitingEdges::NONE`].
+    #[inline]
+    fn first_waiting(&self, round: u32) -> u32 {
+        if self.round == round + 1 { self.critical_cycles } else { WaitingEdges::NONE }
+    }
+
     /// Records that v is a neighbour of u in this `round`, through `spoke`.
     #[inline]
     fn meet(&mut self, round: u32, spoke: HalfEdgeId, now: u32) {
@@ -332,16 +373,17 @@ impl Neighbour {
 }
 
 /// Counts the critical cycles through the end z of spoke `g`, a processed neighbour that u has
-/// just gained, for all edges put aside (Algorithm 4.5, lines 33 to 41). O(deg z).
+/// just gained, for all edges put aside (Algorithm 4.5, lines 33 to 41): those that wait for z. One
+/// whose end w is an apex at [u, z] makes a triangle with it. O(1) for each.
 fn count_cycles_through(
     k: &ShrinkingTriangulation,
     lists: &mut EdgeLists<Neighbour>,
-    round: u32,
     g: HalfEdgeId,
+    waiting: impl Iterator<Item = VertexId>,
 ) {
-    for spoke in k.far_spokes(g) {
-        let w = k.destination(spoke);
-        if lists[w].round == round && lists[w].tested_at != NEVER {
+    let apexes = k.apexes(g);
+    for w in waiting {
+        if !lists[w].processed && !apexes.contains(&w) {
             count(lists, w);
         }
     }

@@ -69,6 +69,11 @@ impl Faces {
         &self.corners
     }
 
+    /// Returns the vertex indices of all corners, face after face, and drops the rest.
+    pub fn into_corners(self) -> Vec<u32> {
+        self.corners
+    }
+
     /// Returns the number of corners that all faces have in common, if they do.
     pub fn arity(&self) -> Option<usize> {
         match self.shape {

@@ -1,9 +1,6 @@
 //! Welding: vertices at equal or nearly equal coordinates become one.
 
-use std::collections::hash_map::RandomState;
-use std::hash::BuildHasher;
-
-use rustc_hash::FxHashMap;
+use std::collections::HashMap;
 
 use super::faces::Faces;
 use super::polygon_mesh::Mesh;
@@ -99,41 +96,32 @@ struct Kept {
 /// Makes positions with equal coordinates one vertex, in order of first occurrence.
 pub(super) struct ExactWelder {
     pub(super) positions: Vec<[f64; 3]>,
-    vertices: FxHashMap<[u64; 3], u32>,
-    secret: [u64; 3],
+    /// With the random keys of the standard library, so that no file can choose collisions.
+    vertices: HashMap<[u64; 3], u32>,
 }
 
 impl ExactWelder {
     /// Begins without vertices, with room for so many.
     pub(super) fn with_capacity(vertices: usize) -> Self {
-        let mut table = FxHashMap::default();
-        table.reserve(vertices);
-        Self { positions: Vec::with_capacity(vertices), vertices: table, secret: secret() }
+        let positions = Vec::with_capacity(vertices);
+        Self { positions, vertices: HashMap::with_capacity(vertices) }
     }
 
     /// Returns the vertex at `position`.
     pub(super) fn vertex(&mut self, position: [f64; 3]) -> u32 {
-        *self.vertices.entry(key(position, self.secret)).or_insert_with(|| {
+        *self.vertices.entry(key(position)).or_insert_with(|| {
             self.positions.push(position);
             (self.positions.len() - 1) as u32
         })
     }
 }
 
-/// Returns three random numbers for one table, which make chosen collisions impossible.
-///
-/// Nothing but the times depends on them: equal keys are equal whatever the numbers.
-fn secret() -> [u64; 3] {
-    let random = RandomState::new();
-    [0_u8, 1, 2].map(|i| random.hash_one(i))
-}
-
 /// Returns a key that is equal for equal coordinates.
 ///
 /// Equal bits are equal numbers once -0 + 0 = 0 has removed the one exception. NaN, which is not
 /// equal to itself, is one number for each of its bit patterns.
-fn key(position: [f64; 3], secret: [u64; 3]) -> [u64; 3] {
-    std::array::from_fn(|axis| (position[axis] + 0.0).to_bits() ^ secret[axis])
+fn key(position: [f64; 3]) -> [u64; 3] {
+    position.map(|coordinate| (coordinate + 0.0).to_bits())
 }
 
 /// Returns the kept positions, and for each of `given` the index of the one that it becomes.
@@ -156,18 +144,17 @@ const NONE: u32 = u32::MAX;
 /// Kept vertices in cubes whose side is the tolerance. A cube holds few, as they are apart.
 struct Grid {
     tolerance: f64,
-    secret: [u64; 3],
     positions: Vec<[f64; 3]>,
     /// The last vertex of each cube.
-    first: FxHashMap<[u64; 3], u32>,
+    first: HashMap<[u64; 3], u32>,
     /// For each vertex the one before it in its cube.
     next: Vec<u32>,
 }
 
 impl Grid {
     fn new(tolerance: f64) -> Self {
-        let (positions, next, first) = (Vec::new(), Vec::new(), FxHashMap::default());
-        Self { tolerance, secret: secret(), positions, first, next }
+        let (positions, next, first) = (Vec::new(), Vec::new(), HashMap::new());
+        Self { tolerance, positions, first, next }
     }
 
     fn vertex(&mut self, position: [f64; 3]) -> u32 {
@@ -178,7 +165,7 @@ impl Grid {
         }
         let vertex = self.positions.len() as u32;
         let before = is_finite.then(|| {
-            let cube = key(position.map(|x| self.cell(x)), self.secret);
+            let cube = key(position.map(|x| self.cell(x)));
             self.first.insert(cube, vertex)
         });
         self.next.push(before.flatten().unwrap_or(NONE));
@@ -200,7 +187,7 @@ impl Grid {
         for step in 0..27 {
             let steps = [step % 3, step / 3 % 3, step / 9].map(|k| f64::from(k) - 1.0);
             let cube = std::array::from_fn(|axis| cells[axis] + steps[axis]);
-            let mut vertex = self.first.get(&key(cube, self.secret)).copied().unwrap_or(NONE);
+            let mut vertex = self.first.get(&key(cube)).copied().unwrap_or(NONE);
             while vertex != NONE {
                 let found = (self.distance(position, self.positions[vertex as usize]), vertex);
                 if found.0 <= 1.0 && best.is_none_or(|best| found < best) {

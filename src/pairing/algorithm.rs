@@ -5,11 +5,16 @@ use super::cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
 use std::ops::ControlFlow;
 use std::str::FromStr;
 
-use super::eager_rescue::eager_rescue;
+use super::eager_rescue::pair_with_rescues;
 use super::initial::InitialPairing;
-use super::lrs::{Expansion, lrs};
-use super::pulli_segal::pulli_segal;
-use super::simple_greedy::simple_greedy;
+use super::lrs::{Expansion, LRS_ORDER, lrs};
+use super::objective::Objective;
+use super::pulli_segal::pair_by_priority;
+use super::ranked_graph::RankedGraph;
+use super::shuffler::Shuffler;
+use super::simple_greedy::pair_edges;
+use crate::clock::Clock;
+use crate::irreducible::Discipline;
 use crate::names::{UnknownNameError, find, serde_as_string};
 use crate::random::Random;
 use crate::triangulation::Triangulation;
@@ -64,23 +69,55 @@ impl Algorithm {
     /// Pairs up triangles of `triangulation`.
     ///
     /// Equal input and equal `random` give equal output. O(n); `ds` O(n log² n), `gw` O(n log n).
-    /// `best` has no costs here: to it all pairings are equally good, see [`best`] for costs.
+    /// `best` has no costs here: to it all pairings are equally good, see [`best`] for costs. `lrs`
+    /// contracts in [`LRS_ORDER`], see [`lrs`] for others.
     pub fn pair<'t>(
         self,
         triangulation: &'t Triangulation,
         random: &mut Random,
     ) -> InitialPairing<'t> {
-        match self {
+        self.pair_timed(triangulation, LRS_ORDER, Shuffler::new(random, None)).0
+    }
+
+    /// Does the same with another order for `lrs`, and returns the seconds that shuffles have taken
+    /// by `clock`.
+    pub(crate) fn pair_by_clock<'t>(
+        self,
+        triangulation: &'t Triangulation,
+        lrs_order: Discipline,
+        random: &mut Random,
+        clock: &dyn Clock,
+    ) -> (InitialPairing<'t>, f64) {
+        self.pair_timed(triangulation, lrs_order, Shuffler::new(random, Some(clock)))
+    }
+
+    fn pair_timed<'t>(
+        self,
+        triangulation: &'t Triangulation,
+        lrs_order: Discipline,
+        mut random: Shuffler,
+    ) -> (InitialPairing<'t>, f64) {
+        let mut shuffle_seconds = 0.0;
+        let pairing = match self {
             Self::Best => {
                 let costs = vec![[0; 3]; triangulation.triangle_count()];
-                best(triangulation, costs, &mut |_| ControlFlow::Continue(())).expect(LEGAL)
+                let objective = Objective::perfect(costs);
+                best(triangulation, objective, &mut |_| ControlFlow::Continue(())).expect(LEGAL)
             }
-            Self::EagerRescue => InitialPairing::from_input(triangulation, eager_rescue),
-            Self::SimpleGreedy => {
-                InitialPairing::from_input(triangulation, |dual| simple_greedy(dual, random))
+            Self::EagerRescue => {
+                let (dual, matching) = pair_with_rescues(RankedGraph::new(triangulation));
+                InitialPairing::new(triangulation, dual, matching)
             }
+            Self::SimpleGreedy => InitialPairing::from_input(triangulation, |dual| {
+                let matching = pair_edges(dual, &mut random);
+                shuffle_seconds = random.seconds();
+                matching
+            }),
             Self::PulliSegal => {
-                InitialPairing::from_input(triangulation, |dual| pulli_segal(dual, Some(random)))
+                let ranked = RankedGraph::new(triangulation);
+                let (dual, matching, seconds) = pair_by_priority(ranked, Some(random));
+                shuffle_seconds = seconds;
+                InitialPairing::new(triangulation, dual, matching)
             }
             // A triangulation is closed, so its dual graph is cubic. It is bridgeless: the edge
             // across side ab lies on the ring of triangles round a, exactly once, as a and b
@@ -91,8 +128,9 @@ impl Algorithm {
             Self::GawrychowskiWasylkiewicz => InitialPairing::from_input(triangulation, |dual| {
                 gawrychowski_wasylkiewicz(dual).expect(LEGAL)
             }),
-            Self::Lrs(expansion) => lrs(triangulation, expansion),
-        }
+            Self::Lrs(expansion) => lrs(triangulation, expansion, lrs_order),
+        };
+        (pairing, shuffle_seconds)
     }
 }
 

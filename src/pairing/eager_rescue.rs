@@ -8,6 +8,7 @@
 //! away.
 
 use super::pulli_segal::Greedy;
+use super::ranked_graph::RankedGraph;
 use crate::dual::{DualGraph, Matching};
 use crate::matching::Rescue;
 
@@ -20,8 +21,13 @@ const SEARCH_LIMIT: usize = 8000;
 ///
 /// O(n) time. At most a few triangles stay unpaired, where the rings meet.
 pub fn eager_rescue(graph: &DualGraph) -> Matching {
-    let mut rescue = Rescue::new(graph.len());
-    let mut greedy = Greedy::new(graph, None);
+    pair_with_rescues(RankedGraph::copy_of(graph)).1
+}
+
+/// Pairs as [`eager_rescue`] does, in rows that it is given, and returns them without the ranks.
+pub(super) fn pair_with_rescues(ranked: RankedGraph) -> (DualGraph, Matching) {
+    let mut rescue = Rescue::new(ranked.len());
+    let mut greedy = Greedy::new(ranked, None);
     while let Some(f) = greedy.next() {
         if let Some(g) = greedy.best_neighbour(f) {
             greedy.pair(f, g);
@@ -35,5 +41,5 @@ pub fn eager_rescue(graph: &DualGraph) -> Matching {
             greedy.lock_edges(end);
         }
     }
-    greedy.matching
+    (greedy.ranked.into_dual(), greedy.matching)
 }

@@ -1,8 +1,8 @@
 //! The dual graph with a Pulli-Segal rank beside each triangle's neighbours.
 
-use crate::dual::{DualGraph, Sides};
+use crate::dual::{DualGraph, Row, Sides};
 use crate::prefetch::prefetch;
-use crate::triangulation::TriangleId;
+use crate::triangulation::{TriangleId, Triangulation};
 
 /// Number of the priority set of an unpaired triangle; the highest goes first.
 ///
@@ -32,7 +32,7 @@ pub(super) struct Rank(u32);
 impl Rank {
     pub(super) const AGE_BITS: u32 = 29;
 
-    pub(super) fn new(priority: Priority, entered: u32) -> Self {
+    pub(super) const fn new(priority: Priority, entered: u32) -> Self {
         Self(((priority as u32 + 1) << Self::AGE_BITS) - 1 - entered)
     }
 
@@ -61,7 +61,7 @@ impl Priority {
     }
 }
 
-/// A copy of a dual graph in which each triangle has a rank. 16 bytes a triangle.
+/// A dual graph in which each triangle has a rank. 16 bytes a triangle.
 ///
 /// A triangle's neighbours and its rank share a cache line: the greedy algorithm reads both.
 pub(super) struct RankedGraph {
@@ -69,19 +69,23 @@ pub(super) struct RankedGraph {
     has_boundary: bool,
 }
 
-#[derive(Clone, Copy)]
-#[repr(align(16))]
-struct Row {
-    sides: [TriangleId; 3],
-    rank: Rank,
-}
-
 impl RankedGraph {
+    const START: Rank = Rank::new(Priority::ThreeFree, 0);
+
+    /// Makes the ranked dual graph of `triangulation`, every triangle in set 0. O(n).
+    pub(super) fn new(triangulation: &Triangulation) -> Self {
+        Self { rows: DualGraph::rows_of(triangulation, Self::START.0), has_boundary: false }
+    }
+
     /// Copies `graph` and puts every triangle in set 0. O(n).
-    pub(super) fn new(graph: &DualGraph) -> Self {
-        let rank = Rank::new(Priority::ThreeFree, 0);
-        let rows = graph.all_sides().iter().map(|&sides| Row { sides, rank }).collect();
-        Self { rows, has_boundary: graph.has_boundary() }
+    pub(super) fn copy_of(graph: &DualGraph) -> Self {
+        let ranked = |row: &Row| Row { beside: Self::START.0, ..*row };
+        Self { rows: graph.rows().iter().map(ranked).collect(), has_boundary: graph.has_boundary() }
+    }
+
+    /// Returns the graph without the ranks. O(1).
+    pub(super) fn into_dual(self) -> DualGraph {
+        DualGraph::from_rows(self.rows, self.has_boundary)
     }
 
     /// Returns the number of triangles.
@@ -108,7 +112,7 @@ impl RankedGraph {
     /// Returns the rank of `f`; beyond a boundary everything is done.
     #[inline]
     pub(super) fn rank(&self, f: TriangleId) -> Rank {
-        self.rows.get(f.index()).map_or(Rank::new(Priority::Done, 0), |row| row.rank)
+        self.rows.get(f.index()).map_or(Rank::new(Priority::Done, 0), |row| Rank(row.beside))
     }
 
     /// Returns the priority of `f`; beyond a boundary everything is done.
@@ -120,7 +124,7 @@ impl RankedGraph {
     /// Sets the rank of `f`.
     #[inline]
     pub(super) fn set_rank(&mut self, f: TriangleId, rank: Rank) {
-        self.rows[f.index()].rank = rank;
+        self.rows[f.index()].beside = rank.0;
     }
 
     /// Prefetches the sides and ranks of the neighbours of `f`.

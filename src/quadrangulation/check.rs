@@ -4,7 +4,11 @@
 //! Around every vertex, the quads and the triangles that start there are found in one array over
 //! all vertices. So the check is linear and needs no hashing.
 
+use std::ops::Range;
+use std::sync::atomic::{AtomicU32, Ordering};
+
 use crate::mesh::{Faces, Mesh};
+use crate::parallel::{collect, join, map, ranges};
 
 /// Counts of a quad mesh that passed the check.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -13,11 +17,13 @@ use crate::mesh::{Faces, Mesh};
 pub struct CheckReport {
     /// Number of quads.
     pub quads: usize,
-    /// Vertices that quads use.
+    /// Number of triangles left over, each one of the triangle mesh.
+    pub triangles: usize,
+    /// Vertices that faces use.
     pub vertices: usize,
-    /// Vertices of degree 2, where two quads share two edges: legal and common.
+    /// Vertices of degree 2 inside the surface, where two faces share two edges: legal and common.
     pub degree_two_vertices: usize,
-    /// Vertices - edges + quads, the same as that of the triangles.
+    /// Vertices - edges + faces, the same as that of the triangles.
     pub euler_characteristic: i64,
 }
 
@@ -55,8 +61,17 @@ pub enum Mismatch {
     /// A face does not have four corners that exist.
     #[error("face {} is no quadrilateral of existing vertices", .0 + 1)]
     NotAQuad(usize),
-    /// A quad has a corner twice.
-    #[error("quad {} repeats a corner", .0 + 1)]
+    /// A face has neither three nor four corners that exist.
+    #[error("face {} is neither a triangle nor a quadrilateral of existing vertices", .0 + 1)]
+    NotATriangleOrQuad(usize),
+    /// A face of three corners is no triangle of the triangle mesh.
+    #[error("face {} is no triangle of the triangle mesh", .0 + 1)]
+    NotATriangle(usize),
+    /// A face is turned against the triangles that it consists of.
+    #[error("face {} is turned against the triangles that it covers", .0 + 1)]
+    Turned(usize),
+    /// A face has a corner twice.
+    #[error("face {} repeats a corner", .0 + 1)]
     RepeatedCorner(usize),
     /// Two faces of one of the meshes pass an edge in the same direction.
     #[error("edge {}-{} is passed twice in the same direction", .0 + 1, .1 + 1)]
@@ -70,11 +85,11 @@ pub enum Mismatch {
     /// A quad is not the union of two triangles across their common edge.
     #[error("quad {} is not two triangles of the triangle mesh joined across an edge", .0 + 1)]
     NotAPair(usize),
-    /// A triangle lies in two quads.
-    #[error("triangle {} lies in two quads", .0 + 1)]
+    /// A triangle lies in two faces.
+    #[error("triangle {} lies in two faces", .0 + 1)]
     TriangleTwice(usize),
-    /// A triangle lies in no quad.
-    #[error("triangle {} lies in no quad", .0 + 1)]
+    /// A triangle lies in no face.
+    #[error("triangle {} lies in no face", .0 + 1)]
     TriangleUnused(usize),
     /// A vertex is used in one mesh only.
     #[error("vertex {} is used in one of the meshes only", .0 + 1)]
@@ -130,8 +145,8 @@ pub fn check(quads: &Mesh, triangles: &Mesh) -> Result<CheckReport, Mismatch> {
 /// Checks that two meshes of as many vertices have them in the same places.
 pub(super) fn check_positions(ours: &[[f64; 3]], given: &[[f64; 3]]) -> Result<(), Mismatch> {
     // -0 is where 0 is, which adding 0 makes of it; NaN is at the place of an equal NaN.
-    let place = |position: &[f64; 3]| position.map(|coordinate| (coordinate + 0.0).to_bits());
-    let moved = (0..ours.len()).find(|&v| place(&ours[v]) != place(&given[v]));
+    let bits = |position: &[f64; 3]| position.map(|coordinate| (coordinate + 0.0).to_bits());
+    let moved = (0..ours.len()).find(|&v| bits(&ours[v]) != bits(&given[v]));
     moved.map_or(Ok(()), |v| Err(Mismatch::Moved(v)))
 }
 
@@ -144,31 +159,8 @@ pub(crate) fn check_faces(
     triangles: &Faces,
     vertices: usize,
 ) -> Result<CheckReport, Mismatch> {
-    require_arity(quads, 4, vertices).map_err(Mismatch::NotAQuad)?;
-    require_arity(triangles, 3, vertices).map_err(Mismatch::BadTriangle)?;
-    let mut check = Check {
-        quads: Corners::gather(quads.corners(), vertices),
-        triangles: Corners::gather(triangles.corners(), vertices),
-        inside: vec![NONE; quads.corners().len()],
-        degree_two_vertices: 0,
-        used_vertices: 0,
-    };
-    let covered = check.visit_stars(vertices).and_then(|()| check.cover_triangles());
-    covered.map_err(|mismatch| explain(mismatch, quads, triangles))?;
-    let euler = |corners: usize, faces: usize| {
-        check.used_vertices as i64 - (corners / 2) as i64 + faces as i64
-    };
-    let of_quads = euler(quads.corners().len(), quads.len());
-    let of_triangles = euler(triangles.corners().len(), triangles.len());
-    if of_quads != of_triangles {
-        return Err(Mismatch::EulerCharacteristic { quads: of_quads, triangles: of_triangles });
-    }
-    Ok(CheckReport {
-        quads: quads.len(),
-        vertices: check.used_vertices,
-        degree_two_vertices: check.degree_two_vertices,
-        euler_characteristic: of_quads,
-    })
+    compare_faces(quads, triangles, vertices)
+        .map_err(|mismatch| explain(mismatch, quads, triangles))
 }
 
 /// Returns what is wrong with a quad that is no pair of triangles, if it is that it is turned.
@@ -176,9 +168,9 @@ fn explain(mismatch: Mismatch, quads: &Faces, triangles: &Faces) -> Mismatch {
     let Mismatch::NotAPair(index) = mismatch else { return mismatch };
     let [a, b, c, d] = [0, 1, 2, 3].map(|corner| quads[index][corner]);
     let is_there = |mut wanted: [u32; 3]| {
-        least_first(&mut wanted);
+        put_least_first(&mut wanted);
         triangles.corners().as_chunks::<3>().0.iter().any(|&(mut triangle)| {
-            least_first(&mut triangle);
+            put_least_first(&mut triangle);
             triangle == wanted
         })
     };
@@ -188,9 +180,44 @@ fn explain(mismatch: Mismatch, quads: &Faces, triangles: &Faces) -> Mismatch {
 }
 
 /// Rotates a triangle so that its least corner comes first.
-fn least_first(triangle: &mut [u32; 3]) {
+fn put_least_first(triangle: &mut [u32; 3]) {
     let least = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
     triangle.rotate_left(least);
+}
+
+fn compare_faces(
+    quads: &Faces,
+    triangles: &Faces,
+    vertices: usize,
+) -> Result<CheckReport, Mismatch> {
+    require_arity(quads, 4, vertices).map_err(Mismatch::NotAQuad)?;
+    require_arity(triangles, 3, vertices).map_err(Mismatch::BadTriangle)?;
+    let (of_quads, of_triangles) = join(
+        || Corners::gather(quads.corners(), vertices),
+        || Corners::gather(triangles.corners(), vertices),
+    );
+    let inside = collect(quads.corners().len(), |_| AtomicU32::new(NONE));
+    let visit = |range| Visit::new(&of_quads, &of_triangles, &inside).visit_stars(range);
+    let mut found = Found::default();
+    for part in map(ranges(vertices), visit) {
+        found.add(part?);
+    }
+    cover_triangles(inside, triangles.len())?;
+    let euler = |corners: usize, faces: usize| {
+        found.used_vertices as i64 - (corners / 2) as i64 + faces as i64
+    };
+    let of_quads = euler(quads.corners().len(), quads.len());
+    let of_triangles = euler(triangles.corners().len(), triangles.len());
+    if of_quads != of_triangles {
+        return Err(Mismatch::EulerCharacteristic { quads: of_quads, triangles: of_triangles });
+    }
+    Ok(CheckReport {
+        quads: quads.len(),
+        triangles: 0,
+        vertices: found.used_vertices,
+        degree_two_vertices: found.degree_two_vertices,
+        euler_characteristic: of_quads,
+    })
 }
 
 const NONE: u32 = u32::MAX;
@@ -214,8 +241,6 @@ struct Corners<'m, const ARITY: u32> {
     vertex: &'m [u32],
     starts: Vec<u32>,
     at_vertex: Vec<u32>,
-    /// For each vertex w the last corner seen whose side leads to w.
-    leading_to: Vec<u32>,
 }
 
 impl<'m, const ARITY: u32> Corners<'m, ARITY> {
@@ -228,7 +253,7 @@ impl<'m, const ARITY: u32> Corners<'m, ARITY> {
             at_vertex[starts[v as usize + 1] as usize] = corner as u32;
             starts[v as usize + 1] += 1;
         }
-        Self { vertex, starts, at_vertex, leading_to: vec![NONE; vertices] }
+        Self { vertex, starts, at_vertex }
     }
 
     fn star(&self, v: u32) -> std::ops::Range<usize> {
@@ -250,12 +275,25 @@ impl<'m, const ARITY: u32> Corners<'m, ARITY> {
     fn tail(&self, corner: u32) -> u32 {
         self.vertex[self.turn(corner, ARITY - 1) as usize]
     }
+}
+
+/// The sides that start at one vertex after the other, by where they lead.
+struct Star<'c, 'm, const ARITY: u32> {
+    corners: &'c Corners<'m, ARITY>,
+    /// For each vertex w the last corner seen whose side leads to w.
+    leading_to: Vec<u32>,
+}
+
+impl<'c, 'm, const ARITY: u32> Star<'c, 'm, ARITY> {
+    fn new(corners: &'c Corners<'m, ARITY>) -> Self {
+        Self { corners, leading_to: vec![NONE; corners.starts.len() - 2] }
+    }
 
     /// Enters the sides that start at `v`; the end of one entered twice is the error.
-    fn enter_star(&mut self, v: u32) -> Result<(), u32> {
-        for i in self.star(v) {
-            let corner = self.at_vertex[i];
-            let head = self.head(corner);
+    fn enter(&mut self, v: u32) -> Result<(), u32> {
+        for i in self.corners.star(v) {
+            let corner = self.corners.at_vertex[i];
+            let head = self.corners.head(corner);
             if self.side(v, head).is_some() {
                 return Err(head);
             }
@@ -264,62 +302,87 @@ impl<'m, const ARITY: u32> Corners<'m, ARITY> {
         Ok(())
     }
 
-    /// Returns the corner at `v` whose side leads to `head`; the star of `v` was the last entered.
+    /// Returns the corner at `v` whose side leads to `head`; `v` was the last vertex entered.
     fn side(&self, v: u32, head: u32) -> Option<u32> {
         let corner = self.leading_to[head as usize];
-        (corner != NONE && self.vertex[corner as usize] == v).then_some(corner)
+        (corner != NONE && self.corners.vertex[corner as usize] == v).then_some(corner)
     }
 }
 
-struct Check<'m> {
-    quads: Corners<'m, 4>,
-    triangles: Corners<'m, 3>,
-    /// For each side of a quad, the triangle that lies inside it.
-    inside: Vec<u32>,
+/// What was counted at the vertices of a range.
+#[derive(Default)]
+struct Found {
     degree_two_vertices: usize,
     used_vertices: usize,
 }
 
-impl Check<'_> {
-    fn visit_stars(&mut self, vertices: usize) -> Result<(), Mismatch> {
-        for v in 0..vertices as u32 {
-            let degree = self.quads.star(v).len();
-            if (degree == 0) != self.triangles.star(v).is_empty() {
-                return Err(Mismatch::VertexUse(v as usize));
+impl Found {
+    fn add(&mut self, other: Self) {
+        self.degree_two_vertices += other.degree_two_vertices;
+        self.used_vertices += other.used_vertices;
+    }
+}
+
+/// The visit of some vertices, one thread's.
+struct Visit<'c, 'm> {
+    quads: Star<'c, 'm, 4>,
+    triangles: Star<'c, 'm, 3>,
+    /// For each side of a quad, the triangle that lies inside it. The thread that visits the side's
+    /// vertex sets it.
+    inside: &'c [AtomicU32],
+}
+
+impl<'c, 'm> Visit<'c, 'm> {
+    fn new(
+        quads: &'c Corners<'m, 4>,
+        triangles: &'c Corners<'m, 3>,
+        inside: &'c [AtomicU32],
+    ) -> Self {
+        Self { quads: Star::new(quads), triangles: Star::new(triangles), inside }
+    }
+
+    fn visit_stars(mut self, vertices: Range<usize>) -> Result<Found, Mismatch> {
+        let mut found = Found::default();
+        for v in vertices {
+            let degree = self.quads.corners.star(v as u32).len();
+            if (degree == 0) != self.triangles.corners.star(v as u32).is_empty() {
+                return Err(Mismatch::VertexUse(v));
             }
-            self.used_vertices += usize::from(degree > 0);
-            self.degree_two_vertices += usize::from(degree == 2);
-            self.visit_star(v)?;
+            found.used_vertices += usize::from(degree > 0);
+            found.degree_two_vertices += usize::from(degree == 2);
+            self.visit_star(v as u32)?;
         }
-        Ok(())
+        Ok(found)
     }
 
     fn visit_star(&mut self, v: u32) -> Result<(), Mismatch> {
-        self.triangles.enter_star(v).map_err(|head| Mismatch::EdgeTwice(v, head))?;
-        self.quads.enter_star(v).map_err(|head| Mismatch::EdgeTwice(v, head))?;
-        for i in self.quads.star(v) {
-            let corner = self.quads.at_vertex[i];
-            let (head, tail) = (self.quads.head(corner), self.quads.tail(corner));
-            if head == v || self.quads.vertex[self.quads.turn(corner, 2) as usize] == v {
+        self.triangles.enter(v).map_err(|head| Mismatch::EdgeTwice(v, head))?;
+        self.quads.enter(v).map_err(|head| Mismatch::EdgeTwice(v, head))?;
+        let quads = self.quads.corners;
+        for i in quads.star(v) {
+            let corner = quads.at_vertex[i];
+            let (head, tail) = (quads.head(corner), quads.tail(corner));
+            if head == v || quads.vertex[quads.turn(corner, 2) as usize] == v {
                 return Err(Mismatch::RepeatedCorner(corner as usize / 4));
             }
             if self.quads.side(v, tail).is_none() {
                 return Err(Mismatch::EdgeOpen(tail, v));
             }
             let triangle = self.triangles.side(v, head).map(|inner| inner / 3);
-            self.inside[corner as usize] =
-                triangle.ok_or(Mismatch::NotAPair(corner as usize / 4))?;
+            let triangle = triangle.ok_or(Mismatch::NotAPair(corner as usize / 4))?;
+            self.inside[corner as usize].store(triangle, Ordering::Relaxed);
         }
         self.check_one_fan(v)
     }
 
     /// Turns about `v` from its first quad; checks that all its quads come before that again.
     fn check_one_fan(&self, v: u32) -> Result<(), Mismatch> {
-        let star = self.quads.star(v);
-        let Some(&first) = self.quads.at_vertex[star.clone()].first() else { return Ok(()) };
+        let quads = self.quads.corners;
+        let star = quads.star(v);
+        let Some(&first) = quads.at_vertex[star.clone()].first() else { return Ok(()) };
         let mut corner = first;
         for turned in 1..=star.len() {
-            corner = self.quads.side(v, self.quads.tail(corner)).expect("seen to exist");
+            corner = self.quads.side(v, quads.tail(corner)).expect("seen to exist");
             if corner == first {
                 let whole = turned == star.len();
                 return if whole { Ok(()) } else { Err(Mismatch::Fans(v as usize)) };
@@ -327,26 +390,27 @@ impl Check<'_> {
         }
         Err(Mismatch::Fans(v as usize))
     }
+}
 
-    /// Checks that each quad covers two triangles, and each triangle is covered once.
-    ///
-    /// A quad must have one triangle inside two sides in a row and another inside the other two.
-    /// Both then lie on the diagonal between, in opposite directions.
-    fn cover_triangles(&self) -> Result<(), Mismatch> {
-        let mut covered = vec![false; self.triangles.vertex.len() / 3];
-        for (quad, inside) in self.inside.as_chunks::<4>().0.iter().enumerate() {
-            let &[a, b, c, d] = inside;
-            let pair = a == b && c == d || b == c && d == a;
-            if !pair || a == c {
-                return Err(Mismatch::NotAPair(quad));
-            }
-            for triangle in [a, c] {
-                if std::mem::replace(&mut covered[triangle as usize], true) {
-                    return Err(Mismatch::TriangleTwice(triangle as usize));
-                }
+/// Checks that each quad covers two triangles, and each triangle is covered once.
+///
+/// A quad must have one triangle inside two sides in a row and another inside the other two.
+/// Both then lie on the diagonal between, in opposite directions.
+fn cover_triangles(inside: Vec<AtomicU32>, triangles: usize) -> Result<(), Mismatch> {
+    let inside: Vec<u32> = inside.into_iter().map(AtomicU32::into_inner).collect();
+    let mut covered = vec![false; triangles];
+    for (quad, inside) in inside.as_chunks::<4>().0.iter().enumerate() {
+        let &[a, b, c, d] = inside;
+        let pair = a == b && c == d || b == c && d == a;
+        if !pair || a == c {
+            return Err(Mismatch::NotAPair(quad));
+        }
+        for triangle in [a, c] {
+            if std::mem::replace(&mut covered[triangle as usize], true) {
+                return Err(Mismatch::TriangleTwice(triangle as usize));
             }
         }
-        let unused = covered.iter().position(|covered| !covered);
-        unused.map_or(Ok(()), |triangle| Err(Mismatch::TriangleUnused(triangle)))
     }
+    let unused = covered.iter().position(|covered| !covered);
+    unused.map_or(Ok(()), |triangle| Err(Mismatch::TriangleUnused(triangle)))
 }

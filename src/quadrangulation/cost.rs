@@ -5,8 +5,9 @@
 use std::sync::atomic::{AtomicI32, Ordering};
 
 use super::edge_quad::EdgeQuad;
+use crate::parallel::{collect, map, ranges};
 use crate::prefetch::prefetch;
-use crate::triangulation::{TriangleId, Triangulation};
+use crate::triangulation::{Surface, TriangleId};
 
 /// A price for every quad that two triangles can make; the less, the better the quad.
 ///
@@ -57,6 +58,11 @@ impl<F: Fn(&EdgeQuad) -> i32 + Sync> Cost for F {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DefaultCost;
 
+impl DefaultCost {
+    /// The cost that c = 1 stands for.
+    pub const UNIT: f64 = 65536.0;
+}
+
 impl Cost for DefaultCost {
     #[inline]
     fn cost(&self, quad: &EdgeQuad) -> i32 {
@@ -64,7 +70,7 @@ impl Cost for DefaultCost {
         let shape = 1.0 - jacobian;
         let folded = 0.5 * (1.0 - 50.0 * jacobian).clamp(0.0, 1.0) + 3.0 * (-jacobian).max(0.0);
         let bend = 0.55 * (1.0 - quad.fold_cosine());
-        nearest(65536.0 * (shape + folded + bend))
+        nearest(Self::UNIT * (shape + folded + bend))
     }
 }
 
@@ -74,10 +80,15 @@ impl Cost for DefaultCost {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ShapeCost;
 
+impl ShapeCost {
+    /// The cost of a quad of scaled Jacobian 0.
+    pub const UNIT: f64 = 1e4;
+}
+
 impl Cost for ShapeCost {
     #[inline]
     fn cost(&self, quad: &EdgeQuad) -> i32 {
-        nearest(1e4 * (1.0 - quad.scaled_jacobian()))
+        nearest(Self::UNIT * (1.0 - quad.scaled_jacobian()))
     }
 }
 
@@ -90,18 +101,22 @@ fn nearest(value: f64) -> i32 {
 /// Returns the cost of every edge, at both of its sides.
 ///
 /// Row `f`, column `i` belongs to side `i` of triangle `f`, as in
-/// [`DualGraph::sides`](crate::DualGraph::sides). O(n); 12 bytes a triangle.
+/// [`DualGraph::sides`](crate::DualGraph::sides); it is 0 on the boundary. O(n); 12 bytes a
+/// triangle.
 ///
 /// # Panics
-/// If a vertex of the triangulation has no position.
+/// If a vertex of the surface has no position.
 pub fn edge_costs(
-    triangulation: &Triangulation,
+    surface: &impl Surface,
     positions: &[[f64; 3]],
     cost: &(impl Cost + ?Sized),
 ) -> Vec<[i32; 3]> {
-    let rows: Vec<[AtomicI32; 3]> = triangulation.triangles().map(|_| Default::default()).collect();
-    let valuation = Valuation { triangulation, positions, cost, of_side: rows.as_flattened() };
-    triangulation.triangles().for_each(|f| valuation.set_costs(f));
+    let triangles = surface.triangle_count();
+    let rows: Vec<[AtomicI32; 3]> = collect(triangles, |_| Default::default());
+    let valuation = Valuation { surface, positions, cost, of_side: rows.as_flattened() };
+    map(ranges(triangles), |range| {
+        range.map(TriangleId::new).for_each(|f| valuation.set_costs(f));
+    });
     rows.into_iter().map(|row| row.map(AtomicI32::into_inner)).collect()
 }
 
@@ -109,26 +124,26 @@ pub fn edge_costs(
 ///
 /// Each cell is written once, by whichever thread has the lower of the two triangles, and read when
 /// all is done: no order between threads is needed.
-struct Valuation<'a, C: ?Sized> {
-    triangulation: &'a Triangulation,
+struct Valuation<'a, S, C: ?Sized> {
+    surface: &'a S,
     positions: &'a [[f64; 3]],
     cost: &'a C,
     of_side: &'a [AtomicI32],
 }
 
-impl<C: Cost + ?Sized> Valuation<'_, C> {
+impl<S: Surface, C: Cost + ?Sized> Valuation<'_, S, C> {
     /// Sets the costs of those edges of `f` whose other triangle comes later.
     #[inline]
     fn set_costs(&self, f: TriangleId) {
         self.prefetch_ahead(f);
         for side in f.half_edges() {
-            let twin = self.triangulation.twin(side);
-            if side < twin {
-                let quad = EdgeQuad::across(self.triangulation, self.positions, side);
-                let value = self.cost.cost(&quad);
-                for h in [side, twin] {
-                    self.of_side[h.index()].store(value, Ordering::Relaxed);
-                }
+            let Some(twin) = self.surface.across(side).filter(|&twin| side < twin) else {
+                continue;
+            };
+            let quad = EdgeQuad::between(self.surface, self.positions, [side, twin]);
+            let value = self.cost.cost(&quad);
+            for h in [side, twin] {
+                self.of_side[h.index()].store(value, Ordering::Relaxed);
             }
         }
     }
@@ -140,15 +155,22 @@ impl<C: Cost + ?Sized> Valuation<'_, C> {
     fn prefetch_ahead(&self, f: TriangleId) {
         /// Triangles between a step and the next.
         const AHEAD: usize = 8;
-        let (sides, _) = self.triangulation.sides().as_chunks::<3>();
-        for side in sides.get(f.index() + 2 * AHEAD).into_iter().flatten() {
-            self.triangulation.prefetch(side.twin);
-            prefetch(self.positions, side.origin.index());
+        let ahead = |steps| {
+            let index = f.index() + steps * AHEAD;
+            let sides = (index < self.surface.triangle_count())
+                .then(|| TriangleId::new(index).half_edges());
+            sides.into_iter().flatten()
+        };
+        for side in ahead(2) {
+            if let Some(twin) = self.surface.across(side) {
+                self.surface.prefetch(twin);
+            }
+            prefetch(self.positions, self.surface.origin(side).index());
         }
-        for side in sides.get(f.index() + AHEAD).into_iter().flatten() {
-            let opposite = self.triangulation.origin(side.twin.prev());
+        for twin in ahead(1).filter_map(|side| self.surface.across(side)) {
+            let opposite = self.surface.origin(twin.prev());
             prefetch(self.positions, opposite.index());
-            prefetch(self.of_side, side.twin.index());
+            prefetch(self.of_side, twin.index());
         }
     }
 }

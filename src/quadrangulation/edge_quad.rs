@@ -1,7 +1,7 @@
 //! The quad that two triangles make when their common edge is removed, and its geometry.
 
 use super::quality::scaled_jacobian;
-use crate::triangulation::{HalfEdgeId, Triangulation, VertexId};
+use crate::triangulation::{HalfEdgeId, Surface, Triangulation, VertexId};
 use crate::vector::{cross, difference, dot};
 
 /// Two triangles with a common edge, seen as one quad.
@@ -22,16 +22,40 @@ pub struct EdgeQuad {
 }
 
 impl EdgeQuad {
+    /// Returns the quad that appears when the edge of side `side`, from a to b, is removed; `None`
+    /// on the boundary.
+    ///
+    /// It is oriented as the triangle of `side`.
+    ///
+    /// # Panics
+    /// If a vertex of it has no position.
+    #[inline]
+    pub fn beyond(
+        surface: &impl Surface,
+        positions: &[[f64; 3]],
+        side: HalfEdgeId,
+    ) -> Option<Self> {
+        surface.across(side).map(|twin| Self::between(surface, positions, [side, twin]))
+    }
+
+    /// Returns the quad of the triangles on the two sides of an edge.
+    #[inline]
+    pub(super) fn between(
+        surface: &impl Surface,
+        positions: &[[f64; 3]],
+        sides: [HalfEdgeId; 2],
+    ) -> Self {
+        let vertices = quad_corners(sides).map(|h| surface.origin(h));
+        Self { vertices, corners: vertices.map(|v| positions[v.index()]) }
+    }
+
     /// Returns the quad that appears when the edge of side `side`, from a to b, is removed.
     ///
     /// # Panics
     /// If a vertex of it has no position.
     #[inline]
     pub fn across(triangulation: &Triangulation, positions: &[[f64; 3]], side: HalfEdgeId) -> Self {
-        let twin = triangulation.twin(side);
-        let sources = [side, twin.prev(), side.next(), side.prev()];
-        let vertices = sources.map(|h| triangulation.origin(h));
-        Self { vertices, corners: vertices.map(|v| positions[v.index()]) }
+        Self::between(triangulation, positions, [side, triangulation.twin(side)])
     }
 
     /// Returns the scaled Jacobian of the quad, from -1 to 1, see
@@ -67,6 +91,20 @@ impl EdgeQuad {
         let scale = (dot(below, below) * dot(above, above)).sqrt();
         (scale > 0.0).then(|| (dot(below, above) / scale).clamp(-1.0, 1.0))
     }
+}
+
+/// Returns the half-edges at the corners of the quad between a side and its twin.
+///
+/// ```text
+///     c              side runs a -> b in triangle abc; its twin is a side of triangle bad.
+///    / \
+///   a - b            The quad is a d b c, oriented as abc, whichever way the twin runs.
+///    \ /
+///     d
+/// ```
+#[inline]
+pub(super) fn quad_corners([side, twin]: [HalfEdgeId; 2]) -> [HalfEdgeId; 4] {
+    [side, twin.prev(), side.next(), side.prev()]
 }
 
 #[cfg(test)]

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::{CornerFinder, corner_sources};
-use crate::mesh::{Attributes, CornerIndices, Mesh, TextList};
-use crate::triangulation::{HalfEdgeId, TriangleId, Triangulation};
+use super::edge_quad::quad_corners;
+use crate::mesh::{Attributes, CornerIndices, TextList};
+use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
 
 /// Edges at which an attribute changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -64,30 +64,33 @@ impl AttributeLosses {
     }
 }
 
-/// Counts what the quads made by removing `removed` from `paired` lose of the attributes of `given`.
+/// Counts what the quads made by removing `removed` from `paired` lose of `attributes`.
 ///
-/// `input` is the triangulation of `given`, on the vertices of `paired`. O(n log s) for s sections.
+/// `input` is the surface that has the attributes, on the vertices of `paired`; `corner` has for a
+/// half-edge of `paired` the corner of `input` whose attributes its corner takes. O(n log s) for s
+/// sections.
 pub(super) fn count(
+    attributes: &Attributes,
+    input: &impl Surface,
+    paired: &impl Surface,
     removed: &[HalfEdgeId],
-    paired: &Triangulation,
-    input: &Triangulation,
-    given: &Mesh,
+    corner: impl Fn(HalfEdgeId) -> usize,
 ) -> AttributeLosses {
-    let Some(attributes) = given.attributes() else { return AttributeLosses::default() };
-    let changes = Changes::new(attributes, input);
-    let sides = input.triangles().flat_map(TriangleId::half_edges);
+    let changes = Changes::new(attributes);
     let mut losses = AttributeLosses::default();
-    for side in sides.filter(|&side| side < input.twin(side)) {
-        changes.count(input, side, &mut losses, |border| &mut border.edges);
+    for side in input.edges() {
+        changes.count(input, side, &HalfEdgeId::index, &mut losses, |border| &mut border.edges);
     }
     for &side in removed {
-        changes.count(paired, side, &mut losses, |border| &mut border.inside_quads);
+        changes.count(paired, side, &corner, &mut losses, |border| &mut border.inside_quads);
     }
     let partial = |indices: &CornerIndices| {
-        let has = |h: HalfEdgeId| indices.get(h.index()).is_some();
-        let is_partial = |side: &&HalfEdgeId| {
-            let corners = changes.quad_corners(paired, **side);
-            corners.into_iter().any(has) && !corners.into_iter().all(has)
+        let has = |h: HalfEdgeId| indices.get(corner(h)).is_some();
+        let is_partial = |&&side: &&HalfEdgeId| {
+            let corners = paired.across(side).map(|twin| quad_corners([side, twin]));
+            corners.is_some_and(|corners| {
+                corners.into_iter().any(has) && !corners.into_iter().all(has)
+            })
         };
         if indices.is_empty() { 0 } else { removed.iter().filter(is_partial).count() }
     };
@@ -97,9 +100,8 @@ pub(super) fn count(
 }
 
 /// Says at which edges attributes change.
-struct Changes<'t> {
-    attributes: &'t Attributes,
-    corners: CornerFinder<'t>,
+struct Changes<'m> {
+    attributes: &'m Attributes,
     /// For each section the lines that hold from it on, as indices of sections with equal lines.
     states: Vec<[usize; 4]>,
 }
@@ -107,8 +109,8 @@ struct Changes<'t> {
 /// Keywords of sections, in the order of a state.
 const KEYWORDS: [&str; 4] = ["usemtl", "g", "o", "s"];
 
-impl<'t> Changes<'t> {
-    fn new(attributes: &'t Attributes, input: &'t Triangulation) -> Self {
+impl<'m> Changes<'m> {
+    fn new(attributes: &'m Attributes) -> Self {
         let mut first_with = HashMap::new();
         let mut state = [usize::MAX; 4];
         let mut states = vec![state];
@@ -119,21 +121,25 @@ impl<'t> Changes<'t> {
             }
             states.push(state);
         }
-        Self { attributes, corners: CornerFinder::new(input), states }
+        Self { attributes, states }
     }
 
-    /// Counts the edge of `side` of `triangulation` at the attributes that change there.
+    /// Counts the edge of `side` at the attributes that change there.
     fn count(
         &self,
-        triangulation: &Triangulation,
+        surface: &impl Surface,
         side: HalfEdgeId,
+        corner: &impl Fn(HalfEdgeId) -> usize,
         losses: &mut AttributeLosses,
         counter: impl Fn(&mut Border) -> &mut usize,
     ) {
-        let twin = triangulation.twin(side);
+        let Some(twin) = surface.across(side) else { return };
+        let mut theirs = [twin.next(), twin];
+        if surface.origin(side) == surface.origin(twin) {
+            theirs.reverse(); // The sides of a one-sided surface may lead the same way.
+        }
         // The corners of both triangles at each end of the edge.
-        let ends = [[side, twin.next()], [side.next(), twin]]
-            .map(|corners| corners.map(|h| self.corners.find(h, triangulation.origin(h)).index()));
+        let ends = [[side, theirs[0]], [side.next(), theirs[1]]].map(|pair| pair.map(corner));
         let Attributes { texture_coordinates, normals, corner_texture, corner_normal, .. } =
             self.attributes;
         let [one, other] = [side, twin].map(|side| self.state(side.triangle()));
@@ -154,11 +160,6 @@ impl<'t> Changes<'t> {
         let sections = &self.attributes.sections;
         let face = triangle.index();
         self.states[sections.partition_point(|section| section.first_face <= face)]
-    }
-
-    /// Returns the corners that those of the quad across `side` take their attributes from.
-    fn quad_corners(&self, paired: &Triangulation, side: HalfEdgeId) -> [HalfEdgeId; 4] {
-        corner_sources(paired, side).map(|h| self.corners.find(h, paired.origin(h)))
     }
 }
 

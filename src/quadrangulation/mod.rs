@@ -1,11 +1,16 @@
 //! The last stage: a quadrilateral for every pair of triangles (Lemos et al., section 2).
 
 mod check;
+mod check_mixed;
 mod cost;
 mod edge_quad;
+mod keep;
+mod listed_costs;
 mod losses;
+mod mixed;
 pub mod quality;
 mod retriangulation;
+mod seams;
 mod sharp_edges;
 
 use crate::dual::PerfectMatching;
@@ -14,9 +19,15 @@ use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexI
 
 pub(crate) use check::check_faces;
 pub use check::{CheckReport, Mismatch, check};
+pub(crate) use check_mixed::check_mixed_faces;
+pub use check_mixed::{MixedCheck, check_mixed};
 pub use cost::{Cost, DefaultCost, ShapeCost, edge_costs};
 pub use edge_quad::EdgeQuad;
+use edge_quad::quad_corners;
+pub use keep::{Keep, NoSuchEdge};
+pub use listed_costs::{CostCountError, listed_costs};
 pub use losses::{AttributeLosses, Border};
+pub use mixed::MixedFaces;
 pub(crate) use retriangulation::check_retriangulated_faces;
 pub use retriangulation::{check_retriangulation, common_edges};
 pub use sharp_edges::SharpEdges;
@@ -98,15 +109,9 @@ impl Quadrangulation {
             .flat_map(|&side| corner_sources(paired, side))
             .map(|h| corners.find(h, paired.origin(h)))
             .collect();
-        let carry = |given: &CornerIndices| given.gather(sources.iter().map(|h| h.index()));
-        Some(Attributes {
-            texture_coordinates: given.texture_coordinates.clone(),
-            normals: given.normals.clone(),
-            corner_texture: carry(&given.corner_texture),
-            corner_normal: carry(&given.corner_normal),
-            sections: self.carry_sections(&given.sections),
-            libraries: given.libraries.clone(),
-        })
+        let sources = sources.iter().map(|h| h.index());
+        let quad_at = |face: usize| self.removed.partition_point(|side| (side.0 / 3) < face as u32);
+        Some(carry(given, sources, quad_at))
     }
 
     /// Counts what the quads cannot keep of the attributes of `list`. O(n log s) for s sections.
@@ -121,17 +126,32 @@ impl Quadrangulation {
         input: &Triangulation,
         list: &Mesh,
     ) -> AttributeLosses {
-        losses::count(&self.removed, paired, input, list)
+        let Some(attributes) = list.attributes() else { return AttributeLosses::default() };
+        let corners = CornerFinder::new(input);
+        let corner = |h| corners.find(h, paired.origin(h)).index();
+        losses::count(attributes, input, paired, &self.removed, corner)
     }
+}
 
-    /// Moves each section to the first quad whose lower triangle is in it.
-    fn carry_sections(&self, given: &[FaceSection]) -> Vec<FaceSection> {
-        let quad_at = |face: usize| self.removed.partition_point(|side| (side.0 / 3) < face as u32);
-        let carry = |section: &FaceSection| FaceSection {
-            first_face: quad_at(section.first_face),
-            line: section.line.clone(),
-        };
-        given.iter().map(carry).collect()
+/// Carries attributes over to faces whose corners come from those at `sources`; `face_at` has for
+/// each old face the first new one that is not before it.
+fn carry(
+    given: &Attributes,
+    sources: impl Iterator<Item = usize> + Clone,
+    face_at: impl Fn(usize) -> usize,
+) -> Attributes {
+    let gather = |given: &CornerIndices| given.gather(sources.clone());
+    let carry_section = |section: &FaceSection| FaceSection {
+        first_face: face_at(section.first_face),
+        line: section.line.clone(),
+    };
+    Attributes {
+        texture_coordinates: given.texture_coordinates.clone(),
+        normals: given.normals.clone(),
+        corner_texture: gather(&given.corner_texture),
+        corner_normal: gather(&given.corner_normal),
+        sections: given.sections.iter().map(carry_section).collect(),
+        libraries: given.libraries.clone(),
     }
 }
 
@@ -168,17 +188,8 @@ fn common_side(triangulation: &Triangulation, lower: TriangleId, upper: Triangle
 }
 
 /// Returns the half-edges that leave the corners of the quad made by removing the edge of `side`.
-///
-/// ```text
-///     c              side runs a -> b in triangle abc; its twin b -> a in triangle bad.
-///    / \
-///   a - b            The quad is a d b c, counter-clockwise.
-///    \ /
-///     d
-/// ```
 fn corner_sources(triangulation: &Triangulation, side: HalfEdgeId) -> [HalfEdgeId; 4] {
-    let twin = triangulation.twin(side);
-    [side, twin.prev(), side.next(), side.prev()]
+    quad_corners([side, triangulation.twin(side)])
 }
 
 fn quad_across(triangulation: &Triangulation, side: HalfEdgeId) -> [VertexId; 4] {

@@ -4,6 +4,7 @@
 //! between machines.
 
 use crate::mesh::Mesh;
+use crate::parallel::collect;
 use crate::vector::{cross, difference, dot};
 
 /// Number of classes in [`Quality::histogram`], of equal width from -1 to 1.
@@ -25,16 +26,15 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// Measures all faces of four corners of `mesh`. O(n).
+    /// Measures all faces of four corners of `mesh`. O(n); 16 bytes a face while it runs.
     ///
     /// # Panics
     /// If such a face names a vertex that does not exist.
     pub fn new(mesh: &Mesh) -> Self {
         let mut histogram = [0; CLASSES];
         let (mut least, mut sum, mut count, mut folded) = (f64::INFINITY, 0.0, 0, 0);
-        for face in mesh.faces() {
-            let Ok(&quad) = <&[u32; 4]>::try_from(face) else { continue };
-            let value = scaled_jacobian(quad.map(|v| mesh.positions()[v as usize]));
+        // The values are added up in the order of the faces, on any number of threads.
+        for value in collect(mesh.faces().len(), |face| value(mesh, face)).into_iter().flatten() {
             let class = ((value + 1.0) * (CLASSES as f64 / 2.0)) as usize;
             histogram[class.min(CLASSES - 1)] += 1;
             folded += usize::from(value <= 0.0);
@@ -47,6 +47,12 @@ impl Quality {
         }
         Self { minimum: least, mean: sum / f64::from(count), folded, histogram }
     }
+}
+
+/// Returns the scaled Jacobian of a face of four corners.
+fn value(mesh: &Mesh, face: usize) -> Option<f64> {
+    let quad: &[u32; 4] = mesh.faces().get(face)?.try_into().ok()?;
+    Some(scaled_jacobian(quad.map(|v| mesh.positions()[v as usize])))
 }
 
 /// Returns the least sine of the angles at the corners, as seen along the normal in the middle.

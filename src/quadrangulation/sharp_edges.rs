@@ -1,7 +1,10 @@
 //! Sharp edges of a triangulation, and how many of them the quads keep.
 
+use std::ops::Range;
+
 use super::edge_quad::EdgeQuad;
-use crate::triangulation::{HalfEdgeId, TriangleId, Triangulation};
+use crate::parallel::{map, ranges};
+use crate::triangulation::{HalfEdgeId, Surface};
 
 /// Cosine of 30 degrees: an edge is sharp if the normals of its triangles differ by more.
 const SHARP_COSINE: f64 = 0.866_025_403_784_438_6;
@@ -17,25 +20,44 @@ pub struct SharpEdges {
 }
 
 impl SharpEdges {
-    /// Counts the sharp edges of a triangulation and, among those `removed`, the lost ones. O(n).
+    /// Counts the sharp edges of a surface and, among those `removed`, the lost ones. O(n).
     ///
-    /// An edge of a triangle without area is not sharp.
+    /// An edge of a triangle without area is not sharp, and none on the boundary is.
     ///
     /// # Panics
-    /// If a vertex of the triangulation has no position.
-    pub fn new(
-        triangulation: &Triangulation,
-        positions: &[[f64; 3]],
-        removed: &[HalfEdgeId],
-    ) -> Self {
+    /// If a vertex of the surface has no position.
+    pub fn new(surface: &impl Surface, positions: &[[f64; 3]], removed: &[HalfEdgeId]) -> Self {
         let is_sharp = |&side: &HalfEdgeId| {
-            EdgeQuad::across(triangulation, positions, side).is_bent_beyond(SHARP_COSINE)
+            let quad = EdgeQuad::beyond(surface, positions, side);
+            quad.is_some_and(|quad| quad.is_bent_beyond(SHARP_COSINE))
         };
-        let sides = triangulation.triangles().flat_map(TriangleId::half_edges);
-        let edges = sides.filter(|&side| side < triangulation.twin(side));
-        let all = edges.filter(is_sharp).count();
-        let lost = removed.iter().filter(|side| is_sharp(side)).count();
+        let among = |triangles| surface.edges_of(triangles).filter(is_sharp).count();
+        let all: usize = map(ranges(surface.triangle_count()), among).into_iter().sum();
+        let lost =
+            |quads: Range<usize>| removed[quads].iter().filter(|side| is_sharp(side)).count();
+        let lost: usize = map(ranges(removed.len()), lost).into_iter().sum();
         Self { all, kept: all - lost }
+    }
+}
+
+/// Returns the cosine of an angle from 0 to 180 degrees, with the same bits on every machine.
+pub(super) fn cosine_of_degrees(degrees: f64) -> f64 {
+    if degrees > 90.0 {
+        return -cosine_of_degrees(180.0 - degrees);
+    }
+    // The angle in radians is at most 1 in either series: the terms left out are below 10⁻¹⁷.
+    let series = |first: f64, factor: f64, step: f64| {
+        let term = |(term, k): (f64, f64)| (-term * factor / (k * (k + 1.0)), k + 2.0);
+        let terms = std::iter::successors(Some((first, step)), |&at| Some(term(at)));
+        terms.take(10).map(|(term, _)| term).fold(0.0, |sum, term| sum + term)
+    };
+    let radians = |degrees: f64| degrees * (std::f64::consts::PI / 180.0);
+    if degrees <= 45.0 {
+        let x = radians(degrees);
+        series(1.0, x * x, 1.0)
+    } else {
+        let x = radians(90.0 - degrees);
+        series(x, x * x, 2.0)
     }
 }
 
@@ -43,6 +65,16 @@ impl SharpEdges {
 mod tests {
     use super::*;
     use crate::mesh::Mesh;
+    use crate::triangulation::{TriangleId, Triangulation};
+
+    #[test]
+    fn cosines_are_those_of_the_standard_library_but_for_a_few_last_bits() {
+        assert_eq!([0.0, 30.0, 90.0, 180.0].map(cosine_of_degrees), [1.0, SHARP_COSINE, 0.0, -1.0]);
+        for degrees in (0..=720).map(|quarter| f64::from(quarter) / 4.0) {
+            let difference = cosine_of_degrees(degrees) - degrees.to_radians().cos();
+            assert!(difference.abs() < 5e-16, "{degrees}: {difference}");
+        }
+    }
 
     #[test]
     fn a_cube_has_twelve_sharp_edges_and_six_flat_ones() {

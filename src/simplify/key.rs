@@ -1,5 +1,5 @@
-//! Keys by which edges wait in the tournament: the stage first, then the cost, and edges of nearly
-//! equal cost in shuffled order.
+//! Keys by which edges wait in the tournament: the stage first, then the cost. Edges of equal key
+//! come in the order of the file.
 
 use super::shape::STAGES;
 use super::tournament::Tournament;
@@ -16,14 +16,19 @@ const TIE_BITS: u32 = 18;
 /// hash): in the order of the file, a regular grid would be thinned out row by row and stay
 /// regular.
 #[inline]
-pub fn first(cost: f64, edge: usize) -> u32 {
-    // Written so that NaN is the highest cost.
-    let cost = if cost < f64::from(f32::MAX) { cost as f32 } else { f32::MAX };
+pub fn shuffled(cost: f64, edge: usize) -> u32 {
     let hash = (edge as u32 + 1).wrapping_mul(0x9e37_79b1);
     let hash = (hash ^ (hash >> 15)).wrapping_mul(0x85eb_ca77);
+    plain(cost) >> TIE_BITS << TIE_BITS | hash >> (u32::BITS - TIE_BITS)
+}
+
+/// Returns the key of any edge at this cost, which it keeps to 21 bits of its fraction.
+#[inline]
+pub fn plain(cost: f64) -> u32 {
+    // Written so that NaN is the highest cost.
+    let cost = if cost < f64::from(f32::MAX) { cost as f32 } else { f32::MAX };
     // A positive number compares like its bits; the sign bit is not needed.
-    let cost = cost.to_bits() >> (31 - STAGE_BIT + TIE_BITS);
-    cost << TIE_BITS | hash >> (u32::BITS - TIE_BITS)
+    cost.to_bits() >> (31 - STAGE_BIT)
 }
 
 /// Returns the key of an edge that has been refused at the stage of `key`.
@@ -47,15 +52,18 @@ mod tests {
         let costs = [0.0, 1e-30, 1e-12, 1.0, 1.2, 7e9, f64::MAX];
         for edges in [[5, 100_000_000], [100_000_000, 5]] {
             for pair in costs.windows(2) {
-                let [low, high] = [first(pair[0], edges[0]), first(pair[1], edges[1])];
+                let [low, high] = [shuffled(pair[0], edges[0]), shuffled(pair[1], edges[1])];
                 assert!(low < high && high < later(low), "{pair:?}");
                 assert_eq!((stage(high), stage(later(high))), (0, 1));
             }
         }
-        assert_eq!(first(f64::NAN, 3), first(f64::INFINITY, 3));
-        assert_eq!(first(1.0, 5) >> TIE_BITS, first(1.1, 6) >> TIE_BITS);
-        assert!((0..1000).any(|edge| first(1.0, edge) > first(1.0, edge + 1)));
-        let last = (1..STAGES.len()).fold(first(f64::NAN, 3), |key, _| later(key));
+        assert_eq!(shuffled(f64::NAN, 3), shuffled(f64::INFINITY, 3));
+        assert_eq!(plain(f64::NAN), plain(f64::MAX));
+        assert!(plain(1.0) < plain(1.000_001) && plain(0.0) == 0);
+        assert_eq!(stage(plain(f64::MAX)), 0);
+        assert_eq!(shuffled(1.0, 5) >> TIE_BITS, shuffled(1.1, 6) >> TIE_BITS);
+        assert!((0..1000).any(|edge| shuffled(1.0, edge) > shuffled(1.0, edge + 1)));
+        let last = (1..STAGES.len()).fold(shuffled(f64::NAN, 3), |key, _| later(key));
         assert_eq!((stage(last), later(last)), (STAGES.len() - 1, Tournament::ABSENT));
     }
 }

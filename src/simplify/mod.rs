@@ -88,6 +88,21 @@ pub struct Simplifier {
     stale: bool,
     /// Length of the input, at which prices of all sizes of mesh are alike.
     scale: f64,
+    rule: Rule,
+}
+
+/// The order in which edges are contracted, and what else refuses one than the link condition.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Rule {
+    /// By quadric error and, where it is equal, length, shuffled among the nearly equal. Each edge
+    /// goes to its best point. Triangles that would turn over or become needles and vertices of
+    /// large degree are put off.
+    #[default]
+    Guarded,
+    /// By quadric error alone, in the order of the file where it is equal. Each edge goes to its
+    /// better end. The link condition alone refuses. The hierarchies of the papers' boxes are made
+    /// so; degrees reach some hundreds.
+    Plain,
 }
 
 /// Refused edges of vertices of larger degree are priced anew only when nothing else is left.
@@ -100,18 +115,27 @@ impl Simplifier {
     /// # Panics
     /// If there are fewer positions than vertices.
     pub fn new(triangulation: Triangulation, positions: &[Vector]) -> Self {
+        Self::with_rule(triangulation, positions, Rule::Guarded)
+    }
+
+    /// Does the same as [`Simplifier::new`] by another rule.
+    ///
+    /// # Panics
+    /// If there are fewer positions than vertices.
+    pub fn with_rule(triangulation: Triangulation, positions: &[Vector], rule: Rule) -> Self {
         let vertices = triangulation.vertex_id_count();
         let triangulation = ShrinkingTriangulation::from(triangulation);
         let scale = power_of_two_near_extent(positions);
         let points = with_planes(&triangulation, &positions[..vertices], 1.0 / scale);
         Self {
-            queue: all_priced(&triangulation, &points),
+            queue: all_priced(rule, &triangulation, &points),
             triangulation,
             points,
             has_refused: IdVec::filled(false, vertices),
             marks: LinkMarks::new(vertices),
             stale: false,
             scale,
+            rule,
         }
     }
 
@@ -134,7 +158,7 @@ impl Simplifier {
             match self.queue.first() {
                 Some((edge, key)) => self.attempt(HalfEdgeId::new(edge), key),
                 None if self.stale => {
-                    self.queue = all_priced(&self.triangulation, &self.points);
+                    self.queue = all_priced(self.rule, &self.triangulation, &self.points);
                     self.stale = false;
                 }
                 None => {
@@ -159,10 +183,11 @@ impl Simplifier {
 
     /// Contracts an edge, or puts it back with a later key.
     fn attempt(&mut self, h: HalfEdgeId, key: u32) {
-        let stage = key::stage(key);
         // The link condition comes last: it seldom fails where the rest holds.
-        let allowed = self.degrees_allow(h, &STAGES[stage]);
-        let point = if allowed { self.allowed_point(h, stage) } else { None };
+        let point = match self.rule {
+            Rule::Guarded => self.guarded_point(h, key::stage(key)),
+            Rule::Plain => Some(placement(self.rule, &self.triangulation, &self.points, h).point),
+        };
         let later = match point {
             Some(point) if self.triangulation.is_contractible(h, &mut self.marks) => {
                 return self.contract(h, point);
@@ -174,6 +199,12 @@ impl Simplifier {
         for v in [self.triangulation.origin(h), self.triangulation.destination(h)] {
             self.has_refused[v] = true;
         }
+    }
+
+    /// Returns the best point that the limits of the stage allow, if there is one.
+    fn guarded_point(&self, h: HalfEdgeId, stage: usize) -> Option<Point> {
+        let allowed = self.degrees_allow(h, &STAGES[stage]);
+        if allowed { self.allowed_point(h, stage) } else { None }
     }
 
     #[inline]
@@ -247,7 +278,11 @@ impl Simplifier {
         let _ = self.triangulation.contract(h);
         self.points[u] = point;
         self.price_star(u);
-        self.reconsider_refused_round(u);
+        match self.rule {
+            Rule::Guarded => self.reconsider_refused_round(u),
+            // What the link condition refused waits for a contraction into one of its ends.
+            Rule::Plain => self.stale = true,
+        }
     }
 
     /// Prices the edges at `u`.
@@ -255,7 +290,7 @@ impl Simplifier {
         for h in self.triangulation.spokes(u) {
             let twin = self.triangulation.twin(h);
             self.queue.set(h.max(twin).index(), Tournament::ABSENT);
-            let key = price(&self.triangulation, &self.points, h.min(twin));
+            let key = price(self.rule, &self.triangulation, &self.points, h.min(twin));
             self.queue.set(h.min(twin).index(), key);
         }
         self.has_refused[u] = false;
@@ -277,7 +312,10 @@ impl Simplifier {
             for h in self.triangulation.spokes(v) {
                 let edge = h.min(self.triangulation.twin(h));
                 if key::stage(self.queue.key(edge.index())) > 0 {
-                    self.queue.set(edge.index(), price(&self.triangulation, &self.points, edge));
+                    self.queue.set(
+                        edge.index(),
+                        price(self.rule, &self.triangulation, &self.points, edge),
+                    );
                 }
             }
         }
@@ -286,17 +324,44 @@ impl Simplifier {
 
 /// Returns the key of an edge that has not been refused.
 #[inline]
-fn price(k: &ShrinkingTriangulation, points: &IdVec<VertexId, Point>, h: HalfEdgeId) -> u32 {
+fn price(
+    rule: Rule,
+    k: &ShrinkingTriangulation,
+    points: &IdVec<VertexId, Point>,
+    h: HalfEdgeId,
+) -> u32 {
+    let cost = placement(rule, k, points, h).cost;
+    match rule {
+        Rule::Guarded => key::shuffled(cost, h.index()),
+        Rule::Plain => key::plain(cost),
+    }
+}
+
+/// Returns the place that `rule` wants for the vertex that the edge of `h` becomes.
+#[inline]
+fn placement(
+    rule: Rule,
+    k: &ShrinkingTriangulation,
+    points: &IdVec<VertexId, Point>,
+    h: HalfEdgeId,
+) -> Placement {
     let [u, v] = [k.origin(h), k.destination(h)].map(|end| &points[end]);
-    key::first(Placement::best(u, v).cost, h.index())
+    match rule {
+        Rule::Guarded => Placement::best(u, v),
+        Rule::Plain => Placement::cheaper_end(u, v),
+    }
 }
 
 /// Prices all edges.
-fn all_priced(k: &ShrinkingTriangulation, points: &IdVec<VertexId, Point>) -> Tournament {
+fn all_priced(
+    rule: Rule,
+    k: &ShrinkingTriangulation,
+    points: &IdVec<VertexId, Point>,
+) -> Tournament {
     let key = |h| {
         let h = HalfEdgeId::new(h);
         let is_edge = h < k.twin(h) && k.is_alive(h.triangle());
-        if is_edge { price(k, points, h) } else { Tournament::ABSENT }
+        if is_edge { price(rule, k, points, h) } else { Tournament::ABSENT }
     };
     Tournament::new((0..k.half_edge_id_count()).map(key))
 }

@@ -59,6 +59,17 @@ impl Placement {
         Self::at(place, u, v, edge, &both, error.max(0.0) + LENGTH * bulk)
     }
 
+    /// Returns the end with the lesser error, the first of two equal ones, at the cost of that error
+    /// alone. O(1).
+    pub fn cheaper_end(u: &Point, v: &Point) -> Self {
+        let edge = difference(v.position, u.position);
+        let both = together(u, v, edge);
+        let [at_u, at_v] = [both.here(), both.at(edge)];
+        let (place, error) =
+            if at_u <= at_v { (MergePoint::U, at_u) } else { (MergePoint::V, at_v) };
+        Self::at(place, u, v, edge, &both, error.max(0.0))
+    }
+
     /// Returns the two ends and the midpoint, the cheaper ones first. O(1).
     pub fn others(u: &Point, v: &Point) -> [Self; 3] {
         let edge = difference(v.position, u.position);

@@ -75,8 +75,8 @@ impl Law {
         }
     }
 
-    /// Returns the complaint about an element that breaks the law.
-    fn complaint(self) -> &'static str {
+    /// Returns the complaint about an element that breaks the law, a sentence without its subject.
+    pub fn complaint(self) -> &'static str {
         match self {
             Self::NotEmpty => "has no faces",
             Self::NotTooLarge => "has more than 2^31 half-edges or 2^32 - 2 vertices",
@@ -107,9 +107,7 @@ impl Law {
                 "separate the sheets that meet there, or remove the inner faces"
             }
             Self::NoBoundary => "close the holes, or use --weld if the gaps are seams",
-            Self::Orientable => {
-                "only two-sided surfaces can be converted; cut it or take its double cover"
-            }
+            Self::Orientable => "cut the strip or take the double cover of the surface",
             Self::ConsistentOrientation => "--orient flips faces until they agree",
             Self::OneFan => "give each fan a vertex of its own",
         }

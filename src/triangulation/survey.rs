@@ -3,6 +3,7 @@
 //! Works on polygons of any size and assumes nothing: edges are found by sorting, orientation and
 //! fans by disjoint sets. O(n log n); not used for valid meshes.
 
+use super::genera::Genera;
 use super::laws::{Element, Law, Violation, is_too_large};
 use crate::disjoint_sets::{DisjointSets, ParitySets};
 use crate::mesh::Mesh;
@@ -33,6 +34,10 @@ pub struct Survey {
     pub boundary_loops: usize,
     /// True if the faces can be oriented alike.
     pub orientable: bool,
+    /// Handles of the two-sided components, if the mesh is one of surfaces, closed or not.
+    pub handles: Option<usize>,
+    /// Cross-caps of the one-sided components, if the mesh is one of surfaces, closed or not.
+    pub cross_caps: Option<usize>,
     /// True if every edge belongs to exactly two faces.
     pub closed: bool,
     /// Every broken law once, the most basic one first.
@@ -73,6 +78,9 @@ impl Survey {
         check_fans(list, &edges, &mut violations);
 
         let connected = Connected::new(list, &sound, &edges);
+        let genera = violations
+            .is_surface()
+            .then(|| Genera::new(list.faces(), &edges, &sides.one_sided, list.positions().len()));
         let degenerate = sound.iter().filter(|sound| !**sound).count();
         let counted_faces = list.faces().len() - degenerate;
         let edge_count = edges.groups().count();
@@ -87,6 +95,8 @@ impl Survey {
             components: connected.components,
             boundary_loops: connected.boundary_loops,
             orientable: violations.none(Law::Orientable),
+            handles: genera.map(|genera| genera.handles),
+            cross_caps: genera.map(|genera| genera.cross_caps),
             closed: edge_count > 0 && edges.groups().all(|group| group.len() == 2),
             violations: violations.into_sorted(),
             faces_to_flip: sides.faces_to_flip,
@@ -95,10 +105,25 @@ impl Survey {
 
     /// Genus summed over the components, if the mesh is one of closed, two-sided surfaces.
     pub fn genus(&self) -> Option<usize> {
-        let harmless = |law| matches!(law, Law::Triangle | Law::ConsistentOrientation);
-        let surface = self.violations.iter().all(|violation| harmless(violation.law));
-        (surface && self.closed)
-            .then(|| (self.components as i64 - self.euler_characteristic / 2) as usize)
+        self.handles.filter(|_| self.closed && self.orientable)
+    }
+
+    /// Non-orientable genus: the number of cross-caps, if the mesh is one of surfaces of which some
+    /// are one-sided. 1 for the projective plane, 2 for the Klein bottle.
+    pub fn non_orientable_genus(&self) -> Option<usize> {
+        self.cross_caps.filter(|_| !self.orientable)
+    }
+
+    /// Returns whether the only broken laws are those that an
+    /// [`OpenTriangulation`](super::OpenTriangulation) may break; with `oriented`, after
+    /// [`Survey::orient`].
+    pub fn is_open_surface(&self, oriented: bool) -> bool {
+        let may_break = |law| match law {
+            Law::NoBoundary | Law::Orientable => true,
+            Law::ConsistentOrientation => oriented,
+            _ => false,
+        };
+        self.violations.iter().all(|violation| may_break(violation.law))
     }
 
     /// Flips the faces of `list`, the mesh surveyed, that disagree with most of their component.
@@ -130,6 +155,13 @@ impl Violations {
 
     fn none(&self, law: Law) -> bool {
         self.0.iter().all(|violation| violation.law != law)
+    }
+
+    /// Returns whether all faces belong to surfaces, open or closed, of one side or two.
+    fn is_surface(&self) -> bool {
+        let harmless =
+            [Law::Triangle, Law::NoBoundary, Law::Orientable, Law::ConsistentOrientation];
+        self.0.iter().all(|violation| harmless.contains(&violation.law))
     }
 
     fn into_sorted(mut self) -> Vec<Violation> {
@@ -205,9 +237,9 @@ fn find_duplicates(list: &Mesh, sound: &[bool], violations: &mut Violations) {
 
 /// One side of an edge: corner `from` of a face and the next corner `to` of the same face.
 #[derive(Clone, Copy)]
-struct FaceSide {
-    low: u32,
-    high: u32,
+pub(super) struct FaceSide {
+    pub(super) low: u32,
+    pub(super) high: u32,
     /// Positions in the list of all corners.
     from: u32,
     to: u32,
@@ -215,7 +247,7 @@ struct FaceSide {
 }
 
 /// All sides of sound faces, those of the same edge next to each other.
-struct SidesByEdge(Vec<FaceSide>);
+pub(super) struct SidesByEdge(Vec<FaceSide>);
 
 impl SidesByEdge {
     fn gather(list: &Mesh, sound: &[bool]) -> Self {
@@ -241,7 +273,7 @@ impl SidesByEdge {
     }
 
     /// Iterates over the sides of each edge.
-    fn groups(&self) -> impl Iterator<Item = &[FaceSide]> {
+    pub(super) fn groups(&self) -> impl Iterator<Item = &[FaceSide]> {
         self.0.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high))
     }
 
@@ -267,6 +299,8 @@ impl SidesByEdge {
 /// Faces to flip so that neighbours agree.
 struct Orientation {
     faces_to_flip: Vec<usize>,
+    /// Some faces of one-sided components, at least one of each.
+    one_sided: Vec<u32>,
 }
 
 impl Orientation {
@@ -291,16 +325,17 @@ impl Orientation {
         for side in &twisted {
             violations.add(Law::Orientable, Element::Edge(side.low, side.high));
         }
-        let mut one_sided = vec![false; list.faces().len()];
-        for side in twisted {
-            one_sided[sets.find(side.face).0 as usize] = true;
+        let one_sided: Vec<u32> = twisted.iter().map(|side| side.face).collect();
+        let mut is_one_sided = vec![false; list.faces().len()];
+        for &face in &one_sided {
+            is_one_sided[sets.find(face).0 as usize] = true;
         }
-        disagreeing.retain(|side| !one_sided[sets.find(side.face).0 as usize]);
+        disagreeing.retain(|side| !is_one_sided[sets.find(side.face).0 as usize]);
         disagreeing.sort_unstable_by_key(|side| side.from);
         for side in disagreeing {
             violations.add(Law::ConsistentOrientation, Element::Edge(side.low, side.high));
         }
-        Self { faces_to_flip: fewest_flips(&mut sets, list.faces().len()) }
+        Self { faces_to_flip: fewest_flips(&mut sets, list.faces().len()), one_sided }
     }
 }
 

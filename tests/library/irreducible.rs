@@ -8,7 +8,7 @@ use triquad::Triangulation;
 use triquad::irreducible::{Contractor, Discipline, Irreducible, Order, ramaswami_siqueira};
 use triquad::random::Random;
 use triquad::triangulation::{HalfEdgeId, ShrinkingTriangulation, TriangleId, VertexId};
-use triquad_generators::box_mesh::BoxShape;
+use triquad_generators::box_mesh::{BoxShape, PaperBox, Walls};
 use triquad_generators::random::{Mix, random_surface};
 use triquad_generators::{Surface, classic, grids};
 
@@ -118,6 +118,11 @@ fn boxes_become_irreducible() {
     for (cavities, holes, vertices) in [(1, 0, 300), (9, 0, 2000), (0, 9, 2000), (4, 5, 3000)] {
         let surface = BoxShape { cavities, holes, vertices }.surface().unwrap();
         reduce_all(&surface, 2, &format!("{cavities} cavities, {holes} holes"));
+    }
+    for (shafts, depth, holes) in [(3, 20, 0), (3, 20, 4), (4, 30, 16)] {
+        let shape = PaperBox { shafts, depth, holes };
+        let surface = shape.surface(Walls::Alternating, &mut |_| 0).unwrap();
+        reduce_all(&surface, 2, &format!("{shape:?}"));
     }
 }
 
@@ -305,8 +310,7 @@ fn the_seed_decides_what_is_left() {
     for contractor in Contractor::ALL {
         for order in [Order::File, Order::Random] {
             assert_eq!(run(contractor, order, 5), run(contractor, order, 5));
-            let is_random = contractor == Contractor::BruteForce
-                || (contractor == Contractor::RamaswamiSiqueira && order == Order::Random);
+            let is_random = contractor != Contractor::RamaswamiSiqueira || order == Order::Random;
             assert_eq!(
                 run(contractor, order, 5) != run(contractor, order, 6),
                 is_random,
@@ -325,7 +329,7 @@ fn counts_are_what_they_were() {
         let counts = result.counts;
         (counts.link_condition_tests, counts.edges_tested_more_than_once, result.vertices.len())
     });
-    assert_eq!(counts, [(127, 0, 13), (236, 39, 11), (352, 51, 13)]);
+    assert_eq!(counts, [(127, 0, 13), (239, 39, 11), (365, 46, 13)]);
 }
 
 // What expansion needs of RS.

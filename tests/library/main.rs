@@ -12,9 +12,12 @@ mod formats;
 mod irreducible;
 mod laws;
 mod matching;
+mod open;
 #[cfg(feature = "files")]
 mod polygons;
 #[cfg(feature = "files")]
 mod real_meshes;
 #[cfg(feature = "files")]
 mod simplify;
+#[cfg(feature = "threads")]
+mod threads;

@@ -7,7 +7,8 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use triquad::irreducible::{Contractor, Discipline, Order, ramaswami_siqueira};
-use triquad::pairing::lrs;
+use triquad::pairing::{LRS_ORDER, lrs};
+use triquad::quadrangulation::Keep;
 use triquad::random::Random;
 use triquad::simplify::{Shape, Simplifier};
 use triquad::triangulation::{HalfEdgeId, LinkMarks, ShrinkingTriangulation};
@@ -142,6 +143,28 @@ fn every_closed_mesh_is_converted_by_every_algorithm() {
 }
 
 #[test]
+fn no_sharp_edge_of_a_part_is_lost_that_could_be_kept() {
+    let Some(catalogue) = Catalogue::open() else { return };
+    let files = ["fandisk_12946", "joint_41808_g2", "casting", "socket"];
+    for (name, expected) in files.into_iter().zip([2, 0, 12, 21]) {
+        let mesh = catalogue.read(&format!("closed/{name}.obj.gz"));
+        let mut keep = Keep::default();
+        keep.sharp = Some(30.0);
+        let converted = Converter::new().keep(keep.clone()).run(&mesh).unwrap();
+        let report = converted.report();
+        let sharp = report.sharp_edges.unwrap();
+        assert!(report.is_proved_least, "{name}");
+        assert_eq!(report.given_up_edges, Some(expected), "{name}");
+        assert_eq!((report.kept_edges, sharp.kept), (Some(sharp.all), sharp.all - expected));
+        let strict = Converter::new().keep(keep).strict(true).run(&mesh).unwrap();
+        let report = strict.report();
+        let sharp = report.sharp_edges.unwrap();
+        assert!(report.is_proved_fewest && sharp.kept == sharp.all, "{name}");
+        assert_eq!(report.leftover_triangles == Some(0), expected == 0, "{name}");
+    }
+}
+
+#[test]
 fn expansion_leaves_as_many_unpaired_as_the_irreducible_triangulation_has() {
     let Some(catalogue) = Catalogue::open() else { return };
     for entry in catalogue.in_folder("closed") {
@@ -153,7 +176,7 @@ fn expansion_leaves_as_many_unpaired_as_the_irreducible_triangulation_has() {
         let genus = entry.count("genus");
         assert!(left >= 4 && left <= (56 * genus).saturating_sub(12).max(4));
         let flips = Expansion::ALL.map(|expansion| {
-            let pairing = lrs(&triangulation, expansion);
+            let pairing = lrs(&triangulation, expansion, LRS_ORDER);
             assert_eq!(pairing.matching.unpaired_count(), left, "{}", entry.file());
             pairing.edge_flips
         });

@@ -53,41 +53,49 @@ const REDUCTION: &str = r#"
 "#;
 
 /// A folder of its own for each test, in which the tool runs.
-struct Workshop(TempDir);
+pub struct Workshop(TempDir);
 
 impl Workshop {
-    fn new() -> Self {
+    pub fn new() -> Self {
         let shop = Self(tempfile::tempdir().unwrap());
         std::fs::write(shop.path("tiny.toml"), EXPERIMENT).unwrap();
         std::fs::write(shop.path("least.toml"), REDUCTION).unwrap();
         shop
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
-    fn command(&self, arguments: &str) -> Command {
+    pub fn command(&self, arguments: &str) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_triquad"));
         command.args(arguments.split_whitespace()).current_dir(self.0.path());
         command.env("TRIQUAD_CACHE", self.path("cache")).stdin(Stdio::null());
         command
     }
 
-    fn run(&self, arguments: &str) -> Output {
+    pub fn run(&self, arguments: &str) -> Output {
         self.command(arguments).output().unwrap()
     }
 
     /// Runs what has to succeed, and tells what it said on standard error.
-    fn succeed(&self, arguments: &str) -> String {
+    pub fn succeed(&self, arguments: &str) -> String {
         let output = self.run(arguments);
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.success(), "{arguments}: {stderr}");
         stderr
     }
 
+    /// Runs what has to end with exit code 1, and tells what it said on standard error.
+    pub fn failed(&self, arguments: &str) -> String {
+        let output = self.run(arguments);
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments}: {stderr}");
+        stderr
+    }
+
     /// What is refused with one line and exit code 2.
-    fn refused(&self, arguments: &str) -> String {
+    pub fn refused(&self, arguments: &str) -> String {
         let output = self.run(arguments);
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{arguments}: {stderr}");
@@ -95,7 +103,7 @@ impl Workshop {
         stderr
     }
 
-    fn results(&self, folder: &str) -> Results {
+    pub fn results(&self, folder: &str) -> Results {
         Results::read(&self.path(folder)).unwrap()
     }
 
@@ -265,8 +273,9 @@ fn what_timed_out_is_not_tried_on_larger_meshes() {
     shop.put_mesh("data/large.ply", &grids::torus(420, 500));
     std::fs::write(shop.path("data/torn.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
         .unwrap();
-    let said = shop.succeed("run slow.toml --data data --timeout 2 --out out");
+    let said = shop.failed("run slow.toml --data data --timeout 2 --out out");
     assert!(said.contains("torn.off is left out: "), "{said}");
+    assert!(said.contains("medium, sg tarjan, repetition 0: timeout: "), "{said}");
     let results = shop.results("out");
     let row = |mesh: &str, algorithm: &str| {
         let mut rows = results.records.iter();
@@ -280,8 +289,9 @@ fn what_timed_out_is_not_tried_on_larger_meshes() {
     assert_eq!(row("medium", "tq").command.split(" --").next(), Some("triquad convert medium.ply"));
     // What is edited runs again, what is not does not.
     shop.put_mesh("data/small.ply", &classic::tetrahedron());
-    let said = shop.succeed("run slow.toml --data data --timeout 2 --out out");
+    let said = shop.failed("run slow.toml --data data --timeout 2 --out out");
     assert!(said.contains("2 runs to do"), "{said}");
+    assert!(said.ends_with("1 runs did not end well\n"), "{said}");
     assert_eq!(shop.results("out").records.len(), 6);
 }
 
@@ -308,6 +318,12 @@ fn what_cannot_be_planned_or_run_is_refused_in_one_line() {
     assert!(shop.refused("run tiny.toml --data missing").contains("missing: "));
     assert!(shop.refused("run tiny.toml --shard 3/2").contains("I from 1 to N"));
     assert!(shop.refused("merge missing --out merged").contains("runs.csv"));
+    for limit in ["timeout_seconds = 60", "memory_gigabytes = 4"] {
+        let (name, _) = limit.split_once(' ').unwrap();
+        let zero = EXPERIMENT.replace(limit, &format!("{name} = 0"));
+        std::fs::write(shop.path("zero.toml"), zero).unwrap();
+        assert!(shop.refused("run zero.toml").contains(&format!("{name} = 0: a limit must")));
+    }
     std::fs::write(shop.path("file"), "").unwrap();
     let said = shop.refused("run tiny.toml --scale demo --out file");
     assert!(said.starts_with("triquad: file: "), "{said}");

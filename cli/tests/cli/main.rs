@@ -1,13 +1,19 @@
 //! Tests of the program `triquad`, as a user calls it.
 
+mod aims;
+mod conveniences;
 mod defective_meshes;
 mod experiments;
+mod open;
+mod own_results;
 #[path = "../../../lab/tests/lab/records.rs"]
 mod records;
 mod repeatable;
 mod report_files;
 mod results;
+mod runner;
 #[cfg(target_os = "linux")]
 mod slurm;
 mod surfaces;
 mod verbs;
+mod workshop;

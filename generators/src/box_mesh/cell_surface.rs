@@ -24,6 +24,16 @@ impl CellSurface {
         Self { surface, cells, centres, phase: cells / 2 }
     }
 
+    /// An empty surface that will have so many vertices and triangles, and centres only in cells
+    /// added by [`CellSurface::quarters`].
+    pub(super) fn halved(vertices: usize, triangles: usize) -> Self {
+        let surface = Surface {
+            positions: Vec::with_capacity(vertices),
+            triangles: Vec::with_capacity(triangles),
+        };
+        Self { surface, cells: 1, centres: 0, phase: 0 }
+    }
+
     pub(super) fn into_surface(self) -> Surface {
         debug_assert_eq!(self.phase, self.cells / 2, "there were as many cells as announced");
         self.surface
@@ -32,6 +42,10 @@ impl CellSurface {
     pub(super) fn vertex(&mut self, position: [f64; 3]) -> u32 {
         self.surface.positions.push(position);
         self.surface.positions.len() as u32 - 1
+    }
+
+    pub(super) fn position(&self, vertex: u32) -> [f64; 3] {
+        self.surface.positions[vertex as usize]
     }
 
     /// A rectangle, its corners counter-clockwise from outside. Two triangles, `turned` or not, or
@@ -44,12 +58,16 @@ impl CellSurface {
     /// ```
     pub(super) fn cell(&mut self, [a, b, c, d]: [u32; 4], turned: bool) {
         self.phase += self.centres;
-        if self.phase < self.cells {
-            let halves = if turned { [[a, b, d], [b, c, d]] } else { [[a, c, d], [a, b, c]] };
-            self.surface.triangles.extend(halves);
-            return;
+        if self.phase >= self.cells {
+            self.phase -= self.cells;
+            return self.quarters([a, b, c, d]);
         }
-        self.phase -= self.cells;
+        let halves = if turned { [[a, b, d], [b, c, d]] } else { [[a, c, d], [a, b, c]] };
+        self.surface.triangles.extend(halves);
+    }
+
+    /// A rectangle cut in four round a centre, its corners counter-clockwise from outside.
+    pub(super) fn quarters(&mut self, [a, b, c, d]: [u32; 4]) {
         let [p, q] = [a, c].map(|v| self.surface.positions[v as usize]);
         let centre = self.vertex([0, 1, 2].map(|axis| (p[axis] + q[axis]) / 2.0));
         self.surface
@@ -67,28 +85,56 @@ impl CellSurface {
         levels: u32,
         turned: impl Fn(usize) -> bool,
     ) {
+        let tube = self.tube(upper.to_vec(), lower.to_vec(), levels);
+        for level in 0..levels {
+            for i in 0..upper.len() {
+                self.cell(tube.corners(level, i), turned(i));
+            }
+        }
+    }
+
+    /// Appends the vertices of walls as above, without their cells.
+    pub(super) fn tube(&mut self, upper: Vec<u32>, lower: Vec<u32>, levels: u32) -> Tube {
         let first = self.surface.positions.len() as u32;
-        let length = upper.len() as u32;
         let heights = [upper[0], lower[0]].map(|v| self.surface.positions[v as usize][2]);
         for level in 1..levels {
             let z = between(heights, level, levels);
-            for &v in upper {
+            for &v in &upper {
                 let [x, y, _] = self.surface.positions[v as usize];
                 self.vertex([x, y, z]);
             }
         }
-        let vertex = |level: u32, i: u32| match level {
-            0 => upper[i as usize],
-            _ if level == levels => lower[i as usize],
-            _ => first + (level - 1) * length + i,
-        };
-        for level in 0..levels {
-            for i in 0..length {
-                let next = if i + 1 == length { 0 } else { i + 1 };
-                let below = [vertex(level + 1, i), vertex(level + 1, next)];
-                let corners = [below[0], below[1], vertex(level, next), vertex(level, i)];
-                self.cell(corners, turned(i as usize));
-            }
+        Tube { upper, lower, levels, first }
+    }
+}
+
+/// The vertices of vertical walls between two loops.
+pub(super) struct Tube {
+    upper: Vec<u32>,
+    lower: Vec<u32>,
+    levels: u32,
+    /// The first vertex between the loops.
+    first: u32,
+}
+
+impl Tube {
+    pub(super) fn levels(&self) -> u32 {
+        self.levels
+    }
+
+    /// The corners of the cell at a level from above and a step of the loops, counter-clockwise
+    /// from outside, the lower ones first.
+    pub(super) fn corners(&self, level: u32, step: usize) -> [u32; 4] {
+        let next = if step + 1 == self.upper.len() { 0 } else { step + 1 };
+        let below = [self.vertex(level + 1, step), self.vertex(level + 1, next)];
+        [below[0], below[1], self.vertex(level, next), self.vertex(level, step)]
+    }
+
+    fn vertex(&self, level: u32, step: usize) -> u32 {
+        match level {
+            0 => self.upper[step],
+            _ if level == self.levels => self.lower[step],
+            _ => self.first + (level - 1) * self.upper.len() as u32 + step as u32,
         }
     }
 }

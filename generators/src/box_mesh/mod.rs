@@ -25,6 +25,7 @@ mod build;
 mod cell_surface;
 mod diagonals;
 pub(crate) mod lattice;
+mod paper_box;
 mod shape;
 
 #[cfg(test)]
@@ -33,6 +34,7 @@ mod tests;
 use crate::surface::Surface;
 use lattice::Lattice;
 
+pub use paper_box::{ImpossiblePaperBox, PaperBox, Walls};
 pub use shape::{BoxShape, ImpossibleBox};
 
 impl BoxShape {

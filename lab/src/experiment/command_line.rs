@@ -3,13 +3,14 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use super::plan::PlannedRun;
+use super::plan::{Block, PlannedRun};
 use super::planned_mesh::{PlannedMesh, Source};
+use super::program_spec::{Places, ProgramSpec};
 use crate::meshes::paper::Scale;
 
 /// Returns the arguments of the run on that file.
 pub(super) fn arguments(mesh_file: &Path, run: &PlannedRun) -> Vec<OsString> {
-    let mut arguments = vec![run.job.verb().into(), mesh_file.into()];
+    let mut arguments = vec![run.job.task().id().into(), mesh_file.into()];
     arguments.extend(options(run).into_iter().map(OsString::from));
     arguments
 }
@@ -25,19 +26,45 @@ fn options(run: &PlannedRun) -> Vec<String> {
 }
 
 /// Returns the command that repeats the run, the making of its mesh included.
-pub(super) fn command(mesh: &PlannedMesh, run: &PlannedRun) -> String {
-    let (make, file) = match &mesh.source {
+pub(super) fn command(block: &Block, run: &PlannedRun) -> String {
+    let mesh = &block.mesh;
+    if let Some(program) = block.program(run.job) {
+        return foreign_command(mesh, run, program);
+    }
+    let (make, file) = mesh_file(mesh, "ply");
+    format!("{make}triquad {} {file} {}", run.job.task().id(), options(run).join(" "))
+}
+
+/// Returns the command of a program that is not ours. A file in another format is to be converted.
+fn foreign_command(mesh: &PlannedMesh, run: &PlannedRun, program: &ProgramSpec) -> String {
+    let ending = program.format.extension();
+    let (make, file) = mesh_file(mesh, ending);
+    let places = Places {
+        mesh: Path::new(&file),
+        result: &Path::new(&mesh.name).with_extension(format!("result.{ending}")),
+        stats: &Path::new(&mesh.name).with_extension("json"),
+        seed: run.seed,
+    };
+    let words = program.command(places);
+    let line =
+        shlex::try_join(words.iter().map(String::as_str)).unwrap_or_else(|_| words.join(" "));
+    let line = line.chars().map(|letter| if letter.is_control() { ' ' } else { letter });
+    format!("{make}{}", line.collect::<String>())
+}
+
+/// Returns the command that makes the mesh, if it is made, and the name of its file.
+fn mesh_file(mesh: &PlannedMesh, ending: &str) -> (String, String) {
+    match &mesh.source {
         Source::File(path, _) => {
             (String::new(), path.file_name().unwrap_or_default().to_string_lossy().into_owned())
         }
         Source::Made(made, scale) => {
-            let file = format!("{}.ply", made.name);
+            let file = format!("{}.{ending}", made.name);
             let scale = match scale {
                 Scale::Full => String::new(),
                 other => format!(" --scale {}", other.id()),
             };
             (format!("triquad generate paper {}{scale} -o {file} && ", made.name), file)
         }
-    };
-    format!("{make}triquad {} {file} {}", run.job.verb(), options(run).join(" "))
+    }
 }

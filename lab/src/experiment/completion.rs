@@ -7,7 +7,7 @@ use super::record::{Outcome, RunRecord};
 
 /// Completes the record of a run by how it ended and what it measured.
 pub(super) fn complete(record: RunRecord, ending: Ending, mesh: &PlannedMesh) -> RunRecord {
-    let Ending { outcome, reason, output } = ending;
+    let Ending { outcome, reason, output, .. } = ending;
     if outcome != Outcome::Ok {
         return RunRecord { outcome, reason, ..record };
     }
@@ -38,7 +38,12 @@ mod tests {
         let (vertices, triangles) = (made.vertices, made.triangles());
         let source = Source::Made(made, Scale::Full);
         let mesh = PlannedMesh { name: "A5".into(), vertices, triangles, genus: 0, source };
-        let ending = Ending { outcome: Outcome::Ok, reason: String::new(), output: output.into() };
+        let ending = Ending {
+            outcome: Outcome::Ok,
+            reason: String::new(),
+            output: output.into(),
+            peak_memory_bytes: None,
+        };
         complete(RunRecord { seed: 7, ..RunRecord::default() }, ending, &mesh)
     }
 

@@ -35,39 +35,71 @@ pub struct DataFolderError {
     error: io::Error,
 }
 
-/// Reads every mesh file in `folders`, in the order of triangles; of equal names the first
-/// folder's. Builds each mesh to count its genus.
+/// The meshes of data folders, and what is to be said of the folders.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct DataSurvey {
+    /// The meshes, in the order of triangles.
+    pub meshes: Vec<DataMesh>,
+    /// Files that are left out, and folders without any.
+    pub remarks: Vec<String>,
+}
+
+/// Reads every mesh file in `folders`; of equal names the first. Builds each mesh to count its
+/// genus.
 ///
 /// # Errors
 /// A folder cannot be read.
-pub fn survey(folders: &[PathBuf]) -> Result<Vec<DataMesh>, DataFolderError> {
-    let mut found: Vec<DataMesh> = Vec::new();
+pub fn survey(folders: &[PathBuf]) -> Result<DataSurvey, DataFolderError> {
+    let mut survey = DataSurvey::default();
     for folder in folders {
         let failure = |error| DataFolderError { folder: folder.clone(), error };
         let mut files = mesh_files(folder).map_err(failure)?;
         files.sort();
-        for path in files {
-            let name = name_of(&path);
-            if !found.iter().any(|mesh| mesh.name == name) {
-                found.push(DataMesh::read(name, path));
-            }
+        if files.is_empty() {
+            survey.remarks.push(format!("{}: there is no mesh file in it", folder.display()));
         }
+        files.into_iter().for_each(|path| survey.add(path));
     }
-    found.sort_by(|a, b| (a.triangles, &a.name).cmp(&(b.triangles, &b.name)));
-    Ok(found)
+    survey.meshes.sort_by(|a, b| (a.triangles, &a.name).cmp(&(b.triangles, &b.name)));
+    Ok(survey)
 }
 
+impl DataSurvey {
+    fn add(&mut self, path: PathBuf) {
+        let name = name_of(&path);
+        let mut leave_out =
+            |why: String| self.remarks.push(format!("{} is left out: {why}", path.display()));
+        if !path.is_file() {
+            leave_out("it is a link that leads to no file".into());
+        } else if name.contains(char::is_control) {
+            leave_out("its name has a line break or another control character".into());
+        } else if let Some(known) = self.meshes.iter().find(|mesh| mesh.name == name) {
+            if known.path != path {
+                leave_out(format!("{} has the same name; rename one", known.path.display()));
+            }
+        } else {
+            self.meshes.push(DataMesh::read(name, path));
+        }
+    }
+}
+
+/// Returns the files that are called like meshes, and links that lead nowhere.
 fn mesh_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let entries: io::Result<Vec<_>> = std::fs::read_dir(folder)?.collect();
     let paths = entries?.into_iter().map(|entry| entry.path());
-    Ok(paths.filter(|path| path.is_file() && Format::from_path(path).is_ok()).collect())
+    let is_meant = |path: &PathBuf| path.is_file() || path.is_symlink() && !path.exists();
+    Ok(paths.filter(|path| is_meant(path) && Format::from_path(path).is_ok()).collect())
 }
 
-/// Returns the name of a mesh: `Happy_Buddha` for `folder/Happy_Buddha.obj.gz`.
+/// Returns the name of a mesh, known endings removed: `scan_0.25` for `folder/scan_0.25.obj.gz`.
 fn name_of(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let end = name.find('.').filter(|&dot| dot > 0).unwrap_or(name.len());
-    name[..end].to_owned()
+    let without = |name: &str, ending: fn(&str) -> bool| match name.rsplit_once('.') {
+        Some((stem, last)) if !stem.is_empty() && ending(last) => stem.to_owned(),
+        _ => name.to_owned(),
+    };
+    let name = without(&name, |last| last.eq_ignore_ascii_case("gz"));
+    without(&name, |last| last.parse::<Format>().is_ok())
 }
 
 impl DataMesh {
@@ -91,7 +123,7 @@ impl DataMesh {
 
     /// Returns whether its name is that of `paper`, or of a version of it.
     pub fn is_called(&self, paper: &str) -> bool {
-        let name = self.name.to_lowercase().replace(['_', ' '], "-");
+        let name = self.name.to_lowercase().replace(['_', ' ', '.'], "-");
         name == paper || name.strip_prefix(paper).is_some_and(|rest| rest.starts_with('-'))
     }
 
@@ -109,6 +141,8 @@ mod tests {
     fn names_come_from_files() {
         assert_eq!(name_of(Path::new("a/Happy_Buddha.obj.gz")), "Happy_Buddha");
         assert_eq!(name_of(Path::new("b.ply")), "b");
+        assert_eq!(name_of(Path::new("scan_0.25.ply")), "scan_0.25");
+        assert_eq!(name_of(Path::new("v1.2.OFF.GZ")), "v1.2");
         let called = |name: &str, paper| {
             let mesh = DataMesh::read(name.into(), PathBuf::from("missing.ply"));
             assert!(mesh.problem.is_some());
@@ -128,11 +162,23 @@ mod tests {
         std::fs::write(folder.path().join("a.off"), off.replace("3 2 0 3\n", "3 2 0 1\n")).unwrap();
         std::fs::write(folder.path().join("notes.txt"), "no mesh").unwrap();
         let twice = [folder.path().to_owned(), folder.path().to_owned()];
-        let found = survey(&twice).unwrap();
+        std::fs::write(folder.path().join("b.obj"), "").unwrap();
+        let DataSurvey { meshes: found, remarks } = survey(&twice).unwrap();
+        assert!(
+            remarks[0].contains("b.off is left out") && remarks[0].contains("b.obj"),
+            "{remarks:?}"
+        );
+        std::fs::remove_file(folder.path().join("b.obj")).unwrap();
+        assert_eq!(found.len(), 2);
+        let DataSurvey { meshes: found, remarks } = survey(&twice).unwrap();
+        assert_eq!(remarks, Vec::<String>::new());
         assert_eq!(found.iter().map(|mesh| &mesh.name[..]).collect::<Vec<_>>(), ["a", "b"]);
         assert!(found[0].problem.is_some());
         assert_eq!((found[1].vertices, found[1].triangles, found[1].genus), (4, 4, 0));
         assert_eq!(found[1].problem, None);
         assert!(survey(&[folder.path().join("missing")]).is_err());
+        let empty = tempfile::tempdir().unwrap();
+        let said = survey(&[empty.path().to_owned()]).unwrap().remarks;
+        assert!(said[0].contains("there is no mesh file"), "{said:?}");
     }
 }

@@ -5,7 +5,12 @@ use triquad::augmentation::Augmentation;
 use triquad::irreducible::{Contractor, Order};
 use triquad::pairing::{Algorithm, Expansion};
 
+use super::task::Task;
 use crate::algorithms::AlgorithmFacts;
+use crate::nearest::nearest;
+
+/// Stands for augmentation or order in the records of programs that are not ours.
+const EXTERNAL: &str = "external";
 
 /// What a run does to its mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -25,7 +30,18 @@ pub enum Job {
         /// Order of the vertices.
         order: Order,
     },
+    /// A program or algorithm that is not ours.
+    Program {
+        /// What it makes.
+        task: Task,
+        /// Its name.
+        name: ProgramName,
+    },
 }
+
+/// The name of a program or algorithm that is not ours; it has a row in [`crate::algorithms`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ProgramName(&'static str);
 
 /// A job in the columns of `runs.csv` and `plan.csv`.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -42,10 +58,26 @@ pub struct JobNames<S> {
 
 /// A name that no algorithm, variant, augmentation or order has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{name:?} is none of {known}")]
+#[error("{name:?} is none of {known}; the nearest is {nearest:?}")]
 pub struct UnknownNameError {
     name: String,
     known: String,
+    nearest: String,
+}
+
+impl UnknownNameError {
+    /// Names `name`, what it may be, and what it is most like.
+    pub(crate) fn new(name: &str, known: &[&str]) -> Self {
+        let nearest = nearest(name, known.iter().copied()).unwrap_or_default().into();
+        Self { name: name.into(), known: known.join(", "), nearest }
+    }
+
+    /// Adds names that there are too.
+    pub(crate) fn with<'n>(&self, more: impl Iterator<Item = &'n str>) -> Self {
+        let more: Vec<&str> = more.collect();
+        let known: Vec<&str> = self.known.split(", ").chain(more).collect();
+        Self::new(&self.name, &known)
+    }
 }
 
 impl Default for Job {
@@ -64,6 +96,11 @@ impl Job {
     /// Returns the reduction of vertices in the order of the file, as published.
     pub const fn in_file_order(method: Contractor) -> Self {
         Self::Reduce { method, order: Order::File }
+    }
+
+    /// Returns the job of a program or algorithm that is not ours.
+    pub fn program(task: Task, name: &str) -> Self {
+        Self::Program { task, name: ProgramName(AlgorithmFacts::other(name).name) }
     }
 
     /// Returns the job of that algorithm, its variant after a space, as its paper ran it.
@@ -89,6 +126,12 @@ impl Job {
             Self::Reduce { method, order } => {
                 (names.algorithm, names.order) = (method.id(), Some(order.id()));
             }
+            Self::Program { task: Task::Convert, name } => {
+                (names.algorithm, names.augmentation) = (name.0, Some(EXTERNAL));
+            }
+            Self::Program { task: Task::Irreducible, name } => {
+                (names.algorithm, names.order) = (name.0, Some(EXTERNAL));
+            }
         }
         names
     }
@@ -98,11 +141,25 @@ impl Job {
         self.names().algorithm
     }
 
-    /// Returns the same conversion with another augmentation; a reduction has none.
+    /// Returns what it makes.
+    pub fn task(self) -> Task {
+        match self {
+            Self::Convert { .. } => Task::Convert,
+            Self::Reduce { .. } => Task::Irreducible,
+            Self::Program { task, .. } => task,
+        }
+    }
+
+    /// Returns whether it is a program or algorithm that is not ours.
+    pub fn is_program(self) -> bool {
+        matches!(self, Self::Program { .. })
+    }
+
+    /// Returns the same conversion with another augmentation; others have none.
     pub fn with_augmentation(self, augmentation: Augmentation) -> Self {
         match self {
             Self::Convert { algorithm, .. } => Self::Convert { algorithm, augmentation },
-            reduction => reduction,
+            other => other,
         }
     }
 
@@ -111,6 +168,9 @@ impl Job {
     /// # Panics
     /// If the algorithm has no row in [`crate::algorithms`]. A test finds out.
     pub fn facts(self) -> &'static AlgorithmFacts {
+        if let Self::Program { name, .. } = self {
+            return AlgorithmFacts::other(name.0);
+        }
         let JobNames { algorithm, lrs_variant, .. } = self.names();
         let variant = lrs_variant.filter(|&variant| variant != Expansion::Printed.id());
         let name = variant.map_or(algorithm.into(), |variant| format!("{algorithm} {variant}"));
@@ -121,7 +181,7 @@ impl Job {
     /// `PS local`, `RS random`.
     pub fn label(self) -> String {
         let (label, JobNames { augmentation, order, .. }) = (self.facts().label, self.names());
-        let published = [Augmentation::Tarjan.id(), Order::File.id()];
+        let published = [Augmentation::Tarjan.id(), Order::File.id(), EXTERNAL];
         let how = augmentation.or(order).filter(|how| !published.contains(how));
         how.map_or(label.into(), |how| format!("{label} {how}"))
     }
@@ -131,14 +191,6 @@ impl Job {
         let JobNames { algorithm, lrs_variant, augmentation, order } = self.names();
         let words = [Some(algorithm), lrs_variant, augmentation, order];
         words.into_iter().flatten().collect::<Vec<_>>().join(" ")
-    }
-
-    /// Returns the verb on the command line.
-    pub fn verb(self) -> &'static str {
-        match self {
-            Self::Convert { .. } => "convert",
-            Self::Reduce { .. } => "irreducible",
-        }
     }
 
     /// Returns the options on the command line, omitting defaults.
@@ -163,7 +215,24 @@ impl From<Job> for JobNames<&'static str> {
 impl TryFrom<JobNames<String>> for Job {
     type Error = UnknownNameError;
 
+    /// Names that are none of ours are those of a program; only an empty one is refused.
     fn try_from(names: JobNames<String>) -> Result<Self, UnknownNameError> {
+        let task = if names.augmentation.is_some() { Task::Convert } else { Task::Irreducible };
+        let words = [Some(&names.algorithm), names.lrs_variant.as_ref()];
+        let how = [names.augmentation.as_ref(), names.order.as_ref()];
+        let how = how.into_iter().filter(|how| how.is_some_and(|how| how != EXTERNAL));
+        let words: Vec<&str> = words.into_iter().chain(how).flatten().map(String::as_str).collect();
+        let other = words.join(" ");
+        match Self::of_ours(names) {
+            Err(_) if !other.is_empty() => Ok(Self::program(task, &other)),
+            found => found,
+        }
+    }
+}
+
+impl Job {
+    /// Returns the job of these names if all of them are ours.
+    fn of_ours(names: JobNames<String>) -> Result<Self, UnknownNameError> {
         let JobNames { algorithm, lrs_variant, augmentation, order } = names;
         let Some(augmentation) = augmentation else {
             let (method, order) = (find_method(&algorithm)?, order.unwrap_or_default());
@@ -201,8 +270,8 @@ fn find<T: Copy, const N: usize>(
     id: fn(T) -> &'static str,
     name: &str,
 ) -> Result<T, UnknownNameError> {
-    let known = || UnknownNameError { name: name.into(), known: all.map(id).join(", ") };
-    all.into_iter().find(|&one| id(one) == name).ok_or_else(known)
+    let unknown = || UnknownNameError::new(name, &all.map(id));
+    all.into_iter().find(|&one| id(one) == name).ok_or_else(unknown)
 }
 
 #[cfg(test)]
@@ -225,19 +294,24 @@ mod tests {
             assert_eq!(facts.rank(), i, "{} has two rows", facts.name);
         }
         for (one, other) in jobs.iter().flat_map(|one| jobs.iter().map(move |other| (one, other))) {
-            let alike = one.verb() == other.verb() && one.facts().look == other.facts().look;
+            let alike = one.task() == other.task() && one.facts().look == other.facts().look;
             assert!(!alike || one.facts().name == other.facts().name, "{one:?} {other:?}");
         }
     }
 
     #[test]
-    fn names_give_the_same_job_again_and_unknown_ones_are_refused() {
+    fn names_give_the_same_job_again_and_unknown_ones_are_programs() {
         for job in all() {
             let names = serde_json::to_string(&job).unwrap();
             assert_eq!(serde_json::from_str::<Job>(&names).unwrap(), job);
             let unknown = names.replace(job.algorithm(), "xx");
-            let error = serde_json::from_str::<Job>(&unknown).unwrap_err();
-            assert!(error.to_string().starts_with("\"xx"), "{error}");
+            let program = serde_json::from_str::<Job>(&unknown).unwrap();
+            assert!(program.is_program() && program.label().starts_with("xx"), "{program:?}");
+            assert_eq!(program.task(), job.task());
+            let names = serde_json::to_string(&program).unwrap();
+            assert_eq!(serde_json::from_str::<Job>(&names).unwrap(), program);
         }
+        let nameless = r#"{"algorithm": "", "augmentation": null, "order": null}"#;
+        assert!(serde_json::from_str::<Job>(nameless).is_err());
     }
 }

@@ -1,49 +1,94 @@
 //! `runs.csv` as it is written: row by row, each on the disk before the next run begins.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
+use super::folder_lock::{FolderLock, FolderLockError};
 use super::record::{Outcome, RunRecord};
-use super::results::{DamagedRow, MachineFacts, Planned, Results, RunIndex};
+use super::results::{DamagedRow, MachineFacts, Planned, Results, ResultsError, RunIndex};
+use super::results_files::{append_damaged, merge_plans, write_machines, write_plan, write_rows};
 use super::run_id::RunId;
 use crate::{csv_text, whole_file};
 
-/// The results folder of an experiment that is being run.
+/// The results folder of an experiment that is being run: locked until this is dropped.
 #[derive(Debug)]
 pub struct Journal {
     folder: PathBuf,
     file: File,
     results: Results,
     index: RunIndex,
-    keys: HashSet<String>,
+    ends: HashMap<String, End>,
     set_aside: Vec<DamagedRow>,
+    lock: FolderLock,
+}
+
+/// How a run with a row ended.
+#[derive(Debug, PartialEq)]
+enum End {
+    /// After its process had begun.
+    Begun,
+    /// Before that: how, and why.
+    NotBegun(Outcome, String),
+}
+
+/// Why a results folder cannot be written into.
+#[derive(Debug, thiserror::Error)]
+pub enum JournalError {
+    /// It is another process's, or no folder.
+    #[error(transparent)]
+    Lock(#[from] FolderLockError),
+    /// What is there cannot be read.
+    #[error(transparent)]
+    Read(#[from] ResultsError),
+    /// A file cannot be written.
+    #[error("{}: {error}", folder.display())]
+    Write {
+        /// The folder.
+        folder: PathBuf,
+        /// The reason of the file system.
+        error: io::Error,
+    },
 }
 
 impl Journal {
-    /// Opens `folder` and reads the rows of earlier runs.
+    /// Locks `folder` and reads the rows of earlier runs. Removes what killed processes have left.
     ///
-    /// Damaged rows are moved to `damaged.csv`: their runs count as not done.
+    /// Damaged rows are moved to `damaged.csv`: their runs count as not done. Lost names of columns
+    /// are written again.
     ///
     /// # Errors
-    /// Those of the file system.
-    pub fn open(folder: &Path) -> io::Result<Self> {
-        std::fs::create_dir_all(folder)?;
+    /// Another process writes there, `runs.csv` is another program's and stays as it is, or those
+    /// of the file system.
+    pub fn open(folder: &Path) -> Result<Self, JournalError> {
+        let lock = FolderLock::take(folder)?;
         let path = folder.join("runs.csv");
         let mut results = Results::default();
         if path.exists() {
-            results = Results::read(folder).map_err(|error| error.error)?;
+            results = Results::read(folder)?;
         }
+        Self::with(folder, results, lock)
+            .map_err(|error| JournalError::Write { folder: folder.to_owned(), error })
+    }
+
+    fn with(folder: &Path, mut results: Results, lock: FolderLock) -> io::Result<Self> {
+        for part in ["", "plots", "pictures", "meshes"] {
+            whole_file::remove_leftovers(&folder.join(part), Duration::ZERO);
+        }
+        let path = folder.join("runs.csv");
+        whole_file::refuse_link(&path)?;
         let set_aside = std::mem::take(&mut results.damaged);
         append_damaged(folder, &set_aside)?;
-        if !path.exists() || !set_aside.is_empty() {
-            write_rows(&path, &results.records)?;
+        if !path.exists() || !set_aside.is_empty() || results.has_lost_names {
+            write_rows(&path, &results)?;
         }
         let file = OpenOptions::new().append(true).open(path)?;
-        let keys = results.records.iter().map(|record| record.key.clone()).collect();
+        let rows = results.superseded.iter().chain(&results.records);
+        let ends = rows.map(|record| (record.key.clone(), End::of(record))).collect();
         let index = RunIndex::new(&results.records);
-        Ok(Self { folder: folder.to_owned(), file, results, index, keys, set_aside })
+        Ok(Self { folder: folder.to_owned(), file, results, index, ends, set_aside, lock })
     }
 
     /// Returns the results so far.
@@ -56,9 +101,24 @@ impl Journal {
         &self.set_aside
     }
 
-    /// Returns whether a run of this key has a row. O(1).
-    pub fn has(&self, key: &str) -> bool {
-        self.keys.contains(key)
+    /// Returns whether the names of the columns were lost and have been written again.
+    pub fn has_lost_names(&self) -> bool {
+        self.results.has_lost_names
+    }
+
+    /// Returns whether the file system has locks, so that no other process writes here.
+    pub fn is_locked(&self) -> bool {
+        self.lock.is_locked
+    }
+
+    /// Returns whether a run is not to be tried again: its process had begun, or it was skipped
+    /// because its job timed out on a smaller mesh, which still holds.
+    pub fn is_done(&self, key: &str, id: &RunId, triangles: u64) -> bool {
+        match self.ends.get(key) {
+            None | Some(End::NotBegun(Outcome::Crash | Outcome::Invalid, _)) => false,
+            Some(End::NotBegun(..)) => self.timed_out_below(id, triangles).is_some(),
+            Some(End::Begun) => true,
+        }
     }
 
     /// Returns a row of the same job that timed out on a smaller mesh of the group.
@@ -74,12 +134,17 @@ impl Journal {
         })
     }
 
-    /// Appends a row and waits until it is on the disk.
+    /// Appends a row and waits until it is on the disk. The same failure before the process began,
+    /// once more, is not written again.
     ///
     /// # Errors
     /// Those of the file system, a full disk for example. Earlier rows are kept, and the part of
     /// the row that was written is removed.
     pub fn append(&mut self, record: RunRecord) -> io::Result<()> {
+        let end = End::of(&record);
+        if end != End::Begun && self.ends.get(&record.key) == Some(&end) {
+            return Ok(());
+        }
         let row = csv_text::without_header([record.to_row()])?;
         let length = self.file.metadata()?.len();
         let written = self.file.write_all(&row).and_then(|()| self.file.sync_data());
@@ -87,8 +152,9 @@ impl Journal {
             let _ = self.file.set_len(length);
             return Err(error);
         }
-        self.keys.insert(record.key.clone());
-        self.index.put(&mut self.results.records, record);
+        self.ends.insert(record.key.clone(), end);
+        let lost = self.index.put(&mut self.results.records, record);
+        self.results.superseded.extend(lost.filter(|lost| !lost.is_ok()));
         Ok(())
     }
 
@@ -111,59 +177,14 @@ impl Journal {
     }
 }
 
-/// Adds `rows` to `planned`; of the same job on the same mesh the newer number of repetitions
-/// counts.
-pub(super) fn merge_plans(planned: &mut Vec<Planned>, rows: Vec<Planned>) {
-    for row in rows {
-        match planned.iter_mut().find(|known| known.id == row.id) {
-            Some(known) => known.repetitions = row.repetitions,
-            None => planned.push(row),
+impl End {
+    fn of(record: &RunRecord) -> Self {
+        if record.has_begun() {
+            Self::Begun
+        } else {
+            Self::NotBegun(record.outcome, record.reason.clone())
         }
     }
-}
-
-/// Writes a whole results folder.
-///
-/// # Errors
-/// Those of the file system.
-pub(super) fn write_results(folder: &Path, results: &Results) -> io::Result<()> {
-    std::fs::create_dir_all(folder)?;
-    append_damaged(folder, &results.damaged)?;
-    write_plan(folder, results)?;
-    write_machines(folder, results)?;
-    write_rows(&folder.join("runs.csv"), &results.records)
-}
-
-fn write_plan(folder: &Path, results: &Results) -> io::Result<()> {
-    let rows = csv_text::with_header(results.planned.iter().map(Planned::to_row))?;
-    whole_file::write(&folder.join("plan.csv"), &rows)
-}
-
-fn write_machines(folder: &Path, results: &Results) -> io::Result<()> {
-    let mut text = serde_json::to_vec_pretty(&results.machines)?;
-    text.push(b'\n');
-    whole_file::write(&folder.join("machines.json"), &text)
-}
-
-/// Writes the names of the columns, which are there without any row too, and the rows.
-fn write_rows(path: &Path, records: &[RunRecord]) -> io::Result<()> {
-    let mut text = csv_text::with_header([RunRecord::default().to_row()])?;
-    text.truncate(text.iter().position(|&byte| byte == b'\n').map_or(0, |end| end + 1));
-    text.extend(csv_text::without_header(records.iter().map(RunRecord::to_row))?);
-    whole_file::write(path, &text)
-}
-
-/// Appends damaged rows to a file of their own, so that nothing is lost.
-fn append_damaged(folder: &Path, damaged: &[DamagedRow]) -> io::Result<()> {
-    if damaged.is_empty() {
-        return Ok(());
-    }
-    let path = folder.join("damaged.csv");
-    let mut file = OpenOptions::new().append(true).create(true).open(path)?;
-    for row in damaged {
-        writeln!(file, "{}", row.text)?;
-    }
-    file.sync_data()
 }
 
 #[cfg(test)]
@@ -181,6 +202,10 @@ mod tests {
         record
     }
 
+    fn is_done(journal: &Journal, key: &str) -> bool {
+        journal.is_done(key, &record(key).id, 8)
+    }
+
     fn keys(journal: &Journal) -> Vec<&str> {
         journal.results().records.iter().map(|record| &record.key[..]).collect()
     }
@@ -191,9 +216,10 @@ mod tests {
         let mut journal = Journal::open(folder.path()).unwrap();
         journal.append(record("a")).unwrap();
         journal.append(record("b")).unwrap();
+        drop(journal);
         let journal = Journal::open(folder.path()).unwrap();
         assert_eq!(journal.results().records, [record("a"), record("b")]);
-        assert!(journal.has("a") && !journal.has("c"));
+        assert!(is_done(&journal, "a") && !is_done(&journal, "c"));
     }
 
     #[test]
@@ -204,6 +230,7 @@ mod tests {
         let path = folder.path().join("runs.csv");
         let before = std::fs::metadata(&path).unwrap().len() as usize;
         journal.append(record("b")).unwrap();
+        drop(journal);
         let whole = std::fs::read(&path).unwrap();
         for end in before + 1..whole.len() {
             std::fs::write(&path, &whole[..end]).unwrap();
@@ -211,6 +238,7 @@ mod tests {
             assert_eq!(keys(&journal), ["a"], "{end} bytes");
             assert_eq!(journal.set_aside().len(), 1);
             journal.append(record("c")).unwrap();
+            drop(journal);
             let journal = Journal::open(folder.path()).unwrap();
             assert_eq!((keys(&journal), journal.set_aside().len()), (vec!["a", "c"], 0));
         }
@@ -225,6 +253,7 @@ mod tests {
         for key in ["a", "b", "c"] {
             journal.append(record(key)).unwrap();
         }
+        drop(journal);
         let path = folder.path().join("runs.csv");
         let text = std::fs::read_to_string(&path).unwrap();
         let mut lines: Vec<&str> = text.lines().collect();
@@ -250,7 +279,83 @@ mod tests {
         assert_eq!(keys(&journal), ["a"]);
         journal.file = disk;
         journal.append(record("b")).unwrap();
+        drop(journal);
         assert_eq!(Journal::open(folder.path()).unwrap().results().records.len(), 2);
+    }
+
+    #[test]
+    fn lost_names_are_written_again_and_no_row_is_lost() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut journal = Journal::open(folder.path()).unwrap();
+        journal.append(record("a")).unwrap();
+        journal.append(record("b")).unwrap();
+        drop(journal);
+        let path = folder.path().join("runs.csv");
+        let whole = std::fs::read_to_string(&path).unwrap();
+        let (_, rows) = whole.split_once('\n').unwrap();
+        std::fs::write(&path, rows).unwrap();
+        let journal = Journal::open(folder.path()).unwrap();
+        assert!(journal.has_lost_names() && journal.set_aside().is_empty());
+        assert_eq!(keys(&journal), ["a", "b"]);
+        drop(journal);
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), whole);
+        std::fs::write(&path, "").unwrap();
+        let mut journal = Journal::open(folder.path()).unwrap();
+        journal.append(record("c")).unwrap();
+        drop(journal);
+        assert_eq!(keys(&Journal::open(folder.path()).unwrap()), ["c"]);
+    }
+
+    #[test]
+    fn a_foreign_file_is_refused_and_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("runs.csv");
+        for text in ["date,runner,km\n2020,me,5\n", "\n", "no table"] {
+            std::fs::write(&path, text).unwrap();
+            let error = Journal::open(folder.path()).unwrap_err().to_string();
+            assert!(error.contains("names no column 'schema'"), "{error}");
+            assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
+            assert!(!folder.path().join("damaged.csv").exists());
+        }
+    }
+
+    #[test]
+    fn a_good_row_is_never_replaced_by_a_bad_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let bad = |key: &str| RunRecord {
+            key: key.into(),
+            outcome: Outcome::Invalid,
+            process_seconds: 1.0,
+            ..record("a")
+        };
+        let mut journal = Journal::open(folder.path()).unwrap();
+        journal.append(bad("first")).unwrap();
+        journal.append(record("a")).unwrap();
+        journal.append(bad("last")).unwrap();
+        for _ in 0..2 {
+            assert_eq!(journal.results().records, [record("a")]);
+            assert!(is_done(&journal, "last"), "a row that does not count is there all the same");
+            drop(journal);
+            journal = Journal::open(folder.path()).unwrap();
+        }
+    }
+
+    #[test]
+    fn what_failed_before_it_began_is_tried_again_and_written_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let failed = RunRecord { outcome: Outcome::Crash, ..record("a") };
+        let mut journal = Journal::open(folder.path()).unwrap();
+        journal.append(failed.clone()).unwrap();
+        journal.append(failed.clone()).unwrap();
+        assert!(!is_done(&journal, "a"));
+        drop(journal);
+        let rows = std::fs::read_to_string(folder.path().join("runs.csv")).unwrap();
+        assert_eq!(rows.lines().count(), 2);
+        let mut journal = Journal::open(folder.path()).unwrap();
+        journal.append(RunRecord { process_seconds: 2.0, ..failed }).unwrap();
+        assert!(is_done(&journal, "a"));
+        journal.append(RunRecord { outcome: Outcome::Skipped, ..record("b") }).unwrap();
+        assert!(!is_done(&journal, "b"), "the program may be installed by now");
     }
 
     #[test]

@@ -4,25 +4,34 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::journal::{merge_plans, write_results};
-use super::record::RunRecord;
+use super::folder_lock::{FolderLock, FolderLockError};
 use super::results::{Results, ResultsError, RunIndex};
+use super::results_files::{merge_plans, write_results};
 use crate::whole_file;
+
+/// Why results cannot be merged.
+#[derive(Debug, thiserror::Error)]
+pub enum MergeError {
+    /// Another process writes into the folder for all of them.
+    #[error(transparent)]
+    Lock(#[from] FolderLockError),
+    /// A folder cannot be read or written.
+    #[error(transparent)]
+    Results(#[from] ResultsError),
+}
 
 /// Merges the rows of all `folders` into `out`: of the same run done twice, the last that ended
 /// well, else the last. Copies the pictures of the first folder that has any. O(n).
 ///
 /// # Errors
-/// A folder cannot be read, or `out` not be written.
-pub fn merge(folders: &[PathBuf], out: &Path) -> Result<Results, ResultsError> {
+/// A folder cannot be read, or `out` not be written, by another process being at it for example.
+pub fn merge(folders: &[PathBuf], out: &Path) -> Result<Results, MergeError> {
+    let _lock = FolderLock::take(out)?;
     let (mut merged, mut index) = (Results::default(), RunIndex::default());
     for folder in folders {
         let part = Results::read(folder)?;
         for record in part.records {
-            let known = index.find(&merged.records, &record);
-            if record.is_ok() || !known.is_some_and(RunRecord::is_ok) {
-                index.put(&mut merged.records, record);
-            }
+            index.put(&mut merged.records, record);
         }
         merged.damaged.extend(part.damaged);
         merge_plans(&mut merged.planned, part.planned);
@@ -44,6 +53,10 @@ fn copy_pictures(folders: &[PathBuf], out: &Path) -> io::Result<()> {
     fs::create_dir_all(out.join("pictures"))?;
     for entry in fs::read_dir(gallery)? {
         let entry = entry?;
+        // Neither folders nor links, which may lead anywhere.
+        if !entry.file_type()?.is_file() {
+            continue;
+        }
         whole_file::write(&out.join("pictures").join(entry.file_name()), &fs::read(entry.path())?)?;
     }
     Ok(())
@@ -52,6 +65,20 @@ fn copy_pictures(folders: &[PathBuf], out: &Path) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn links_and_folders_among_the_pictures_stay_where_they_are() {
+        let shop = tempfile::tempdir().unwrap();
+        let [from, out] = ["from", "out"].map(|name| shop.path().join(name));
+        write_results(&from, &Results::default()).unwrap();
+        fs::create_dir_all(from.join("pictures/folder")).unwrap();
+        fs::write(from.join("pictures/pictures.csv"), "list").unwrap();
+        fs::write(shop.path().join("secret"), "secret").unwrap();
+        std::os::unix::fs::symlink("../../secret", from.join("pictures/a.png")).unwrap();
+        merge(&[from], &out).unwrap();
+        assert_eq!(fs::read_dir(out.join("pictures")).unwrap().count(), 1);
+    }
 
     #[test]
     fn the_first_pictures_go_along() {

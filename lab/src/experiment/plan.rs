@@ -2,9 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use std::sync::Arc;
+
 use super::data_folder::DataMesh;
 use super::job::Job;
-use super::planned_mesh::PlannedMesh;
+use super::planned_mesh::{PlannedMesh, Source};
+use super::program_spec::ProgramSpec;
 use super::results::Planned;
 use super::run_id::{MeshId, RunId};
 use super::spec::{Experiment, Limits, MeshGroup, RunSpec};
@@ -37,6 +40,8 @@ pub struct Block {
     pub limits: Limits,
     /// What is run.
     pub runs: Vec<PlannedRun>,
+    /// The programs of the experiment that are not ours.
+    pub programs: Arc<[ProgramSpec]>,
 }
 
 /// One run of a block.
@@ -85,6 +90,7 @@ impl Plan {
                 plan.pictured.push(pictured.ok_or_else(|| unknown(experiment, name))?);
             }
         }
+        plan.remark_unused(data);
         // Two experiments may make the same remark.
         let mut said = BTreeSet::new();
         plan.remarks.retain(|remark| said.insert(remark.clone()));
@@ -103,7 +109,8 @@ impl Plan {
             meshes.push(mesh.ok_or_else(|| unknown(experiment, name))?);
         }
         if group.other_data && self.scale == Scale::Full {
-            meshes.extend(self.other_data(data));
+            let named = meshes.clone();
+            meshes.extend(self.other_data(data).into_iter().filter(|mesh| !named.contains(mesh)));
         }
         meshes.sort_by_key(|mesh| mesh.triangles);
         for mesh in meshes {
@@ -134,6 +141,24 @@ impl Plan {
         Some(PlannedMesh::made(paper, self.scale))
     }
 
+    /// Remarks which meshes of `data` nothing is run on.
+    fn remark_unused(&mut self, data: &[DataMesh]) {
+        let is_used = |mesh: &DataMesh| {
+            let own = |block: &Block| matches!(&block.mesh.source, Source::File(path, _) if *path == mesh.path);
+            self.blocks.iter().any(own)
+        };
+        let unused = data.iter().filter(|mesh| mesh.problem.is_none() && !is_used(mesh));
+        let unused: Vec<String> = unused.map(|mesh| mesh.path.display().to_string()).collect();
+        if unused.is_empty() {
+            return;
+        }
+        let why = match self.scale {
+            Scale::Full => "no group of the experiments names them or has other_data",
+            _ => "the papers' scans and other_data are taken from folders at scale full only",
+        };
+        self.remarks.push(format!("--data: not used: {}; {why}", unused.join(", ")));
+    }
+
     /// Returns the meshes of `data` that are none of the papers'.
     fn other_data(&mut self, data: &[DataMesh]) -> Vec<PlannedMesh> {
         let is_paper = |mesh: &DataMesh| {
@@ -157,7 +182,9 @@ impl Plan {
         for repetition in 0..most {
             let mut runs = Vec::new();
             for run in group.runs.iter().filter(|run| repetition < repetitions(run)) {
-                let jobs = run.jobs(experiment.task).expect("the file has been checked");
+                let jobs = run
+                    .jobs(experiment.task, &experiment.programs)
+                    .expect("the file has been checked");
                 runs.extend(jobs.into_iter().map(|job| PlannedRun {
                     job,
                     seed: seed(experiment, mesh, job, repetition),
@@ -178,6 +205,7 @@ impl Plan {
                 repetition,
                 limits: experiment.limits,
                 runs,
+                programs: experiment.programs.as_slice().into(),
             });
         }
     }
@@ -208,6 +236,11 @@ impl Block {
     /// Returns the identity of one of its runs.
     pub fn run_id(&self, run: &PlannedRun) -> RunId {
         RunId { mesh: self.id.clone(), job: run.job }
+    }
+
+    /// Returns the program of a job that is not ours.
+    pub fn program(&self, job: Job) -> Option<&ProgramSpec> {
+        self.programs.iter().find(|program| job == program.job())
     }
 }
 

@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use process_control::{ChildExt, Control, ExitStatus, Output};
@@ -14,8 +15,15 @@ use super::spec::Limits;
 /// Set for the processes of runs: they end with the process that started them.
 pub const RUN_VARIABLE: &str = "TRIQUAD_RUN";
 
+/// Value of [`RUN_VARIABLE`] with which `triquad` becomes the program that its arguments name, so
+/// that this program ends with the experiment too.
+pub const BECOME: &str = "become";
+
 /// Exit code of a `triquad` that was interrupted.
 pub const INTERRUPTED: i32 = 130;
+
+/// What Rust, Python and C++ say when memory is refused.
+const OUT_OF_MEMORY: [&str; 3] = ["memory allocation of", "MemoryError", "std::bad_alloc"];
 
 /// How long an interrupt may take from a run's process to this one.
 const GRACE: Duration = Duration::from_secs(1);
@@ -29,7 +37,12 @@ pub struct Ending {
     pub reason: String,
     /// Its standard output.
     pub output: Vec<u8>,
+    /// Most memory that it had, where that was watched.
+    pub peak_memory_bytes: Option<u64>,
 }
+
+/// How often the memory of a program that is not ours is looked up.
+const SAMPLE_EVERY: Duration = Duration::from_millis(5);
 
 /// Runs `program` with `arguments` and waits for its end.
 ///
@@ -38,16 +51,52 @@ pub struct Ending {
 pub fn run(program: &Path, arguments: &[OsString], limits: Limits) -> io::Result<Ending> {
     let mut command = Command::new(program);
     command.args(arguments).env(RUN_VARIABLE, "1");
+    wait(command, limits, false)
+}
+
+/// Runs a command that is not ours and waits for its end; watches its memory on Linux.
+///
+/// On Unix `ours` becomes that command, so that it ends with the process that started it.
+///
+/// # Errors
+/// The process cannot be started or waited for.
+pub fn run_foreign(ours: &Path, words: &[String], limits: Limits) -> io::Result<Ending> {
+    let mut command = if cfg!(unix) {
+        let mut command = Command::new(ours);
+        command.args(words).env(RUN_VARIABLE, BECOME);
+        command
+    } else {
+        let mut command = Command::new(&words[0]);
+        command.args(&words[1..]);
+        command
+    };
+    // Python leaves no caches beside the scripts of experiments.
+    command.env("PYTHONDONTWRITEBYTECODE", "1");
+    wait(command, limits, true)
+}
+
+fn wait(mut command: Command, limits: Limits, is_watched: bool) -> io::Result<Ending> {
     let child =
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
+    let process = child.id();
     let control = child
         .controlled_with_output()
         .time_limit(Duration::from_secs(limits.timeout_seconds))
         .terminate_for_timeout();
     #[cfg(any(target_os = "linux", windows))]
     let control = control.memory_limit(limits.memory_gigabytes as usize * 1_000_000_000);
-    let output = control.wait()?;
-    Ok(match output {
+    let is_over = AtomicBool::new(false);
+    let (output, peak_memory_bytes) = std::thread::scope(|scope| {
+        let watch = is_watched.then(|| scope.spawn(|| watch_memory(process, &is_over)));
+        let output = control.wait();
+        is_over.store(true, Ordering::Relaxed);
+        let peak = watch.and_then(|watch| {
+            watch.thread().unpark();
+            watch.join().ok().flatten()
+        });
+        (output, peak)
+    });
+    let ending = match output? {
         None => {
             Ending::bad(Outcome::Timeout, format!("stopped after {} s", limits.timeout_seconds))
         }
@@ -59,7 +108,26 @@ pub fn run(program: &Path, arguments: &[OsString], limits: Limits) -> io::Result
             }
             Ending::from(output)
         }
-    })
+    };
+    Ok(Ending { peak_memory_bytes, ..ending })
+}
+
+/// Returns the most memory that a process had until it was over, as of the last look.
+fn watch_memory(process: u32, is_over: &AtomicBool) -> Option<u64> {
+    let mut peak = None;
+    while !is_over.load(Ordering::Relaxed) {
+        peak = peak_memory(process).max(peak);
+        std::thread::park_timeout(SAMPLE_EVERY);
+    }
+    peak
+}
+
+/// Reads `VmHWM` of a process, where the system has it.
+fn peak_memory(process: u32) -> Option<u64> {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: u64 = line.trim().trim_end_matches(" kB").parse().ok()?;
+    Some(1024 * kibibytes)
 }
 
 /// Returns whether a process was ended from outside.
@@ -69,7 +137,7 @@ fn was_stopped(status: ExitStatus) -> bool {
 
 impl Ending {
     fn bad(outcome: Outcome, reason: String) -> Self {
-        Self { outcome, reason, output: Vec::new() }
+        Self { outcome, reason, output: Vec::new(), peak_memory_bytes: None }
     }
 }
 
@@ -78,10 +146,11 @@ impl From<Output> for Ending {
         let stderr = String::from_utf8_lossy(&output.stderr);
         let last_line = stderr.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default();
         if output.status.success() {
-            return Self { outcome: Outcome::Ok, reason: String::new(), output: output.stdout };
+            let ok = Self::bad(Outcome::Ok, String::new());
+            return Self { output: output.stdout, ..ok };
         }
         let outcome = match output.status.code() {
-            _ if stderr.contains("memory allocation of") => Outcome::OutOfMemory,
+            _ if OUT_OF_MEMORY.iter().any(|words| stderr.contains(words)) => Outcome::OutOfMemory,
             // A check failed, or the mesh was refused.
             Some(1 | 2) => Outcome::Invalid,
             _ => Outcome::Crash,
@@ -134,6 +203,21 @@ mod tests {
     fn memory_is_limited() {
         let limit = ending("sleep 0.3; ulimit -v", 9).output;
         assert_eq!(String::from_utf8(limit).unwrap().trim(), (1_000_000_000 / 1024).to_string());
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn the_memory_of_a_foreign_program_is_watched() {
+        let words = ["exec", "sleep", "0.1"].map(str::to_owned);
+        let limits = Limits { timeout_seconds: 9, memory_gigabytes: 1 };
+        let folder = tempfile::tempdir().unwrap();
+        let ours = folder.path().join("become");
+        std::fs::write(&ours, "#!/bin/sh\n\"$@\"\n").unwrap();
+        use std::os::unix::fs::PermissionsExt;
+        std::fs::set_permissions(&ours, std::fs::Permissions::from_mode(0o755)).unwrap();
+        let ending = run_foreign(&ours, &words, limits).unwrap();
+        assert_eq!(ending.outcome, Outcome::Ok, "{}", ending.reason);
+        assert!(ending.peak_memory_bytes.is_some_and(|bytes| bytes > 100_000), "{ending:?}");
     }
 
     #[test]

@@ -25,7 +25,8 @@ pub enum Outcome {
     Crash,
     /// With a result that failed its check, or on a mesh that is not the one meant.
     Invalid,
-    /// Not begun: the algorithm had timed out on a smaller mesh of the group.
+    /// Not begun: the algorithm had timed out on a smaller mesh of the group, or the program is not
+    /// installed.
     Skipped,
 }
 
@@ -141,6 +142,16 @@ impl RunRecord {
         self.outcome == Outcome::Ok
     }
 
+    /// Returns whether it failed: neither `ok`, nor not begun with good reason.
+    pub fn is_bad(&self) -> bool {
+        !matches!(self.outcome, Outcome::Ok | Outcome::Skipped)
+    }
+
+    /// Returns whether its process was started.
+    pub fn has_begun(&self) -> bool {
+        self.is_ok() || self.process_seconds > 0.0
+    }
+
     /// Returns whether the augmentation was stopped before the pairing was perfect.
     pub fn is_extrapolated(&self) -> bool {
         self.stopped_after_paths.is_some()
@@ -158,8 +169,10 @@ impl RunRecord {
         }
     }
 
-    /// Returns column (e), with [`RunRecord::whole_augmentation_seconds`].
+    /// Returns column (e), with [`RunRecord::whole_augmentation_seconds`] where both its parts are
+    /// known.
     pub fn whole_total_seconds(&self) -> Option<f64> {
-        Some(self.measured.pairing_seconds? + self.whole_augmentation_seconds()?)
+        let parts = self.measured.pairing_seconds.zip(self.whole_augmentation_seconds());
+        parts.map(|(pairing, augmentation)| pairing + augmentation).or(self.measured.total_seconds)
     }
 }

@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 
-use super::record::{RowError, RunRecord};
+use super::record::{RowError, RunRecord, SCHEMA};
 use super::run_id::RunId;
+use crate::csv_text;
 
 /// Facts about a machine and a build, by name: processor, cores, memory, system, compiler …
 pub type MachineFacts = BTreeMap<String, String>;
@@ -21,6 +22,10 @@ pub struct Results {
     pub records: Vec<RunRecord>,
     /// The rows that cannot be read.
     pub damaged: Vec<DamagedRow>,
+    /// Bad rows of runs that ended well at another time: kept, and never counted.
+    pub superseded: Vec<RunRecord>,
+    /// Whether the names of the columns were lost: those that we write are taken.
+    pub has_lost_names: bool,
     /// The planned runs, where they are known: a planned run without a row is missing.
     pub planned: Vec<Planned>,
     /// Machines by the name that rows use.
@@ -88,18 +93,18 @@ impl RunIndex {
         Self(records.iter().enumerate().map(|(place, record)| (run(record), place)).collect())
     }
 
-    /// Returns the row of the same run.
-    pub fn find<'r>(&self, records: &'r [RunRecord], run: &RunRecord) -> Option<&'r RunRecord> {
-        self.0.get(&(run.id.clone(), run.repetition)).map(|&place| &records[place])
-    }
-
-    /// Appends a row, or replaces that of the same run, which another program may have done. O(1).
-    pub fn put(&mut self, records: &mut Vec<RunRecord>, record: RunRecord) {
+    /// Appends a row, or replaces that of the same run, which another program may have done. Of
+    /// the same run an `ok` row is never replaced by another one. Returns the row that does not
+    /// count, if there is one. O(1).
+    pub fn put(&mut self, records: &mut Vec<RunRecord>, record: RunRecord) -> Option<RunRecord> {
         let place = *self.0.entry((record.id.clone(), record.repetition)).or_insert(records.len());
         if place == records.len() {
             records.push(record);
+            None
+        } else if records[place].is_ok() && !record.is_ok() {
+            Some(record)
         } else {
-            records[place] = record;
+            Some(std::mem::replace(&mut records[place], record))
         }
     }
 }
@@ -109,12 +114,14 @@ impl Results {
     /// O(n).
     ///
     /// # Errors
-    /// A file cannot be read. Damaged rows are no error: see [`Results::damaged`].
+    /// A file cannot be read, or `runs.csv` is another program's. Damaged rows are no error: see
+    /// [`Results::damaged`].
     pub fn read(folder: &Path) -> Result<Self, ResultsError> {
         let mut results = Self::default();
         let path = folder.join("runs.csv");
-        let text = std::fs::read(&path).map_err(|error| ResultsError { path, error })?;
-        results.read_rows(&String::from_utf8_lossy(&text));
+        let read = std::fs::read(&path)
+            .and_then(|text| results.read_rows(&String::from_utf8_lossy(&text)));
+        read.map_err(|error| ResultsError { path, error })?;
         results.planned = read_if_there(folder.join("plan.csv"), read_plan)?;
         results.machines = read_if_there(folder.join("machines.json"), |bytes| {
             Ok(serde_json::from_slice(bytes)?)
@@ -123,25 +130,51 @@ impl Results {
     }
 
     /// Reads each line by itself, so that a damaged one spoils no other. No field has a line break.
-    fn read_rows(&mut self, text: &str) {
-        let mut lines = text.lines();
-        let Some(names) = lines.next().and_then(|line| fields(line).ok()) else { return };
+    fn read_rows(&mut self, text: &str) -> io::Result<()> {
+        let text = text.trim_start_matches('\u{feff}');
+        let Some(first) = text.lines().next() else {
+            self.has_lost_names = true;
+            return Ok(());
+        };
+        let names = match fields(first) {
+            Ok(names) if names.iter().any(|name| name == "schema") => names,
+            _ if text.lines().any(|line| line.starts_with(SCHEMA)) => {
+                self.has_lost_names = true;
+                fields(&column_names()?).map_err(io::Error::other)?
+            }
+            _ => return Err(io::Error::other(FOREIGN)),
+        };
         let count = text.lines().count();
         let mut index = RunIndex::default();
-        for (i, line) in lines.enumerate() {
+        for (i, line) in text.lines().enumerate().skip(usize::from(!self.has_lost_names)) {
             // A row cut off within its last number would look complete.
-            let is_cut_off = i + 2 == count && !text.ends_with('\n');
+            let is_cut_off = i + 1 == count && !text.ends_with('\n');
             let row = if is_cut_off { Err(RowError::CutOff) } else { fields(line) };
             match row.and_then(|row| RunRecord::from_row(&row, &names)) {
-                Ok(record) => index.put(&mut self.records, record),
+                Ok(record) => {
+                    let lost = index.put(&mut self.records, record);
+                    self.superseded.extend(lost.filter(|lost| !lost.is_ok()));
+                }
                 Err(error) => self.damaged.push(DamagedRow {
-                    line: i as u64 + 2,
+                    line: i as u64 + 1,
                     text: line.into(),
                     problem: error.to_string(),
                 }),
             }
         }
+        Ok(())
     }
+}
+
+/// What is wrong with a file that `triquad` has not written.
+const FOREIGN: &str = "this is no list of runs of triquad: its first line names no column 'schema'. \
+                       It is left as it is";
+
+/// Returns the first line of `runs.csv`.
+pub(super) fn column_names() -> io::Result<String> {
+    let text = csv_text::with_header([RunRecord::default().to_row()])?;
+    let text = String::from_utf8_lossy(&text);
+    Ok(text.lines().next().unwrap_or_default().to_owned())
 }
 
 /// Splits one line of comma-separated values.

@@ -1,22 +1,25 @@
 //! Executes a plan: every run a process, every process a row, nothing done twice.
 
-use std::ffi::OsString;
+use std::collections::HashMap;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 use super::command_line::{arguments, command};
 use super::completion::complete;
 use super::estimate::run_seconds;
+use super::external::{Installed, NotInstalledError, ProgramRun};
 use super::journal::Journal;
 use super::machine::{self, hash_of_words};
 use super::measured::Measured;
 use super::plan::{Block, Plan, PlannedRun};
 use super::planned_mesh::{PlannedMesh, Source};
-use super::process::{self, Ending};
+use super::process;
+use super::program_spec::ProgramSpec;
 use super::record::{Outcome, RunRecord, SCHEMA};
-use super::spec::Limits;
-use crate::meshes::paper::{PaperMesh, Scale};
+use super::workshop::{AtHand, MeshFile, Workshop};
+use crate::whole_file;
 use triquad::clock::Clock;
 
 /// Settings of runs.
@@ -57,29 +60,23 @@ pub trait RunObserver: Sync {
     fn mesh_done(&self, _mesh: &PlannedMesh, _journal: &Journal) {}
 }
 
-/// Why a run has no mesh.
-#[derive(Clone, Debug, thiserror::Error)]
-enum MeshFileError {
-    #[error("the mesh could not be made: {0}")]
-    Make(String),
-    #[error("{} cannot be read: {problem}", path.display())]
-    Read { path: PathBuf, problem: String },
+/// Age at which a temporary file in the cache, which others may be writing, is a leftover.
+const LEFT_IN_CACHE: Duration = Duration::from_secs(24 * 60 * 60);
+
+/// What the executing of a plan needs throughout.
+struct Execution<'a, C> {
+    runner: &'a Runner,
+    programs: Programs,
+    journal: Mutex<&'a mut Journal>,
+    clock: &'a C,
+    observer: &'a dyn RunObserver,
 }
 
-/// A mesh file and its hash.
-struct MeshFile {
-    path: PathBuf,
-    sha256: String,
-}
-
-/// The mesh of the current block.
-struct AtHand {
-    mesh: PlannedMesh,
-    file: Result<MeshFile, MeshFileError>,
-}
+/// The programs that are not ours, by experiment and name.
+type Programs = HashMap<(String, String), Result<Installed, NotInstalledError>>;
 
 impl Runner {
-    /// Executes what of `plan` has no row in `journal` yet.
+    /// Executes what of `plan` is not done according to `journal`.
     ///
     /// # Errors
     /// A row cannot be written. What goes wrong in a run is in its row.
@@ -91,42 +88,64 @@ impl Runner {
         observer: &dyn RunObserver,
     ) -> io::Result<()> {
         journal.note_plan(plan.rows())?;
-        let (runs, seconds) = self.left(plan, journal);
-        observer.begin(runs, seconds);
+        let workshop = Workshop::new(self);
+        workshop.clear(plan.blocks.iter().map(|block| &block.mesh));
+        if let Some(cache) = &self.cache {
+            whole_file::remove_leftovers(cache, LEFT_IN_CACHE);
+        }
+        let programs = self.find_programs(plan);
         let journal = Mutex::new(journal);
+        Execution { runner: self, programs, journal, clock, observer }.all(plan, &workshop)
+    }
+
+    fn find_programs(&self, plan: &Plan) -> Programs {
+        let mut programs = Programs::new();
+        for block in &plan.blocks {
+            for program in block.programs.iter() {
+                let place = (block.id.experiment.clone(), program.name.clone());
+                programs.entry(place).or_insert_with(|| Installed::find(program, &self.program));
+            }
+        }
+        programs
+    }
+}
+
+impl<C: Clock + Sync> Execution<'_, C> {
+    fn all(&self, plan: &Plan, workshop: &Workshop) -> io::Result<()> {
+        let (runs, seconds) = self.left(plan);
+        self.observer.begin(runs, seconds);
         let mut at_hand: Option<AtHand> = None;
         for block in &plan.blocks {
-            let open = self.open_runs(block, &lock(&journal));
+            let open = self.open_runs(block);
             if open.is_empty() {
                 continue;
             }
             if at_hand.as_ref().is_none_or(|at_hand| at_hand.mesh != block.mesh) {
-                self.leave(at_hand.take(), &lock(&journal), observer);
-                observer.preparing(&block.mesh);
-                let file = self.prepare(&block.mesh, block.limits);
-                at_hand = Some(AtHand { mesh: block.mesh.clone(), file });
+                self.leave(at_hand.take(), workshop);
+                self.observer.preparing(&block.mesh);
+                at_hand = Some(workshop.prepare(&block.mesh, block.limits));
             }
             match &at_hand.as_ref().expect("it has just been put there").file {
                 Err(error) => {
                     for run in open {
-                        let mut record = self.planned_record(block, run);
-                        (record.outcome, record.reason) = (Outcome::Crash, error.to_string());
-                        lock(&journal).append(record)?;
+                        let (outcome, reason) = (Outcome::Crash, error.to_string());
+                        let planned = self.planned_record(block, run);
+                        self.finish(block, run, RunRecord { outcome, reason, ..planned })?;
                     }
                 }
-                Ok(file) => self.run_block(block, file, &open, &journal, clock, observer)?,
+                Ok(file) => self.run_block(block, file, workshop, &open)?,
             }
-            observer.block_done(&lock(&journal))?;
+            self.observer.block_done(&lock(&self.journal))?;
         }
-        self.leave(at_hand, &lock(&journal), observer);
+        self.leave(at_hand, workshop);
         Ok(())
     }
 
-    /// Returns how many runs have no row, and the seconds that they may take.
-    fn left(&self, plan: &Plan, journal: &Journal) -> (usize, f64) {
+    /// Returns how many runs are open, and the seconds that they may take.
+    fn left(&self, plan: &Plan) -> (usize, f64) {
         let (mut runs, mut seconds) = (0, 0.0);
         for block in &plan.blocks {
-            for run in self.open_runs(block, journal) {
+            for run in self.open_runs(block) {
                 runs += 1;
                 seconds += run_seconds(&block.mesh, run);
             }
@@ -134,8 +153,13 @@ impl Runner {
         (runs, seconds)
     }
 
-    fn open_runs<'b>(&self, block: &'b Block, journal: &Journal) -> Vec<&'b PlannedRun> {
-        block.runs.iter().filter(|run| !journal.has(&self.key(block, run))).collect()
+    fn open_runs<'b>(&self, block: &'b Block) -> Vec<&'b PlannedRun> {
+        let journal = lock(&self.journal);
+        let is_open = |run: &&PlannedRun| {
+            let (key, id) = (self.key(block, run), block.run_id(run));
+            !journal.is_done(&key, &id, block.mesh.triangles.into())
+        };
+        block.runs.iter().filter(is_open).collect()
     }
 
     /// Runs what is open in a block, `jobs` at a time.
@@ -143,32 +167,35 @@ impl Runner {
         &self,
         block: &Block,
         file: &MeshFile,
+        workshop: &Workshop,
         open: &[&PlannedRun],
-        journal: &Mutex<&mut Journal>,
-        clock: &(impl Clock + Sync),
-        observer: &dyn RunObserver,
     ) -> io::Result<()> {
         let queue = Mutex::new(open.iter());
         let work = || -> io::Result<()> {
             loop {
                 let Some(run) = lock(&queue).next() else { return Ok(()) };
-                let mut record = self.planned_record(block, run);
-                record.mesh_sha256.clone_from(&file.sha256);
-                let record = match too_slow(&record, &lock(journal)) {
-                    Some(reason) => RunRecord { outcome: Outcome::Skipped, reason, ..record },
+                let planned = self.planned_record(block, run);
+                let planned = RunRecord { mesh_sha256: file.sha256.clone(), ..planned };
+                let record = match self.why_skipped(&planned, block, run) {
+                    Some(reason) => RunRecord { outcome: Outcome::Skipped, reason, ..planned },
                     None => {
-                        observer.running(block, run);
-                        self.run_process(record, block, run, &file.path, clock)?
+                        self.observer.running(block, run);
+                        self.run_process(planned, block, run, file, workshop)?
                     }
                 };
-                observer.finished(&record, run_seconds(&block.mesh, run));
-                lock(journal).append(record)?;
+                self.finish(block, run, record)?;
             }
         };
         std::thread::scope(|scope| {
-            let workers: Vec<_> = (0..self.jobs).map(|_| scope.spawn(work)).collect();
+            let workers: Vec<_> = (0..self.runner.jobs).map(|_| scope.spawn(work)).collect();
             workers.into_iter().try_for_each(|worker| worker.join().expect("a worker panicked"))
         })
+    }
+
+    /// Notes how a run ended.
+    fn finish(&self, block: &Block, run: &PlannedRun, record: RunRecord) -> io::Result<()> {
+        self.observer.finished(&record, run_seconds(&block.mesh, run));
+        lock(&self.journal).append(record)
     }
 
     fn run_process(
@@ -176,27 +203,75 @@ impl Runner {
         record: RunRecord,
         block: &Block,
         run: &PlannedRun,
-        mesh_file: &Path,
-        clock: &(impl Clock + Sync),
+        file: &MeshFile,
+        workshop: &Workshop,
     ) -> io::Result<RunRecord> {
-        let arguments = arguments(mesh_file, run);
+        if let Some(spec) = block.program(run.job) {
+            return self.run_program(record, block, spec, file, workshop);
+        }
+        let arguments = arguments(&file.path, run);
         let (ending, process_seconds) =
-            clock.time(|| process::run(&self.program, &arguments, block.limits));
+            self.clock.time(|| process::run(&self.runner.program, &arguments, block.limits));
         Ok(complete(RunRecord { process_seconds, ..record }, ending?, &block.mesh))
+    }
+
+    fn run_program(
+        &self,
+        record: RunRecord,
+        block: &Block,
+        spec: &ProgramSpec,
+        file: &MeshFile,
+        workshop: &Workshop,
+    ) -> io::Result<RunRecord> {
+        let mesh = match workshop.in_format(&file.path, spec.format) {
+            Ok(mesh) => mesh,
+            Err(error) => {
+                let (outcome, reason) = (Outcome::Crash, error.to_string());
+                return Ok(RunRecord { outcome, reason, ..record });
+            }
+        };
+        let (ours, limits) = (self.runner.program.as_path(), block.limits);
+        let workshop = workshop.folder();
+        ProgramRun { spec, ours, mesh: &mesh, workshop, limits }.execute(record, self.clock)
+    }
+
+    /// Returns why a run is skipped: its program is not installed, or its job timed out on a
+    /// smaller mesh.
+    fn why_skipped(&self, run: &RunRecord, block: &Block, planned: &PlannedRun) -> Option<String> {
+        if let Some(Err(error)) = self.installed(block, planned) {
+            return Some(error.to_string());
+        }
+        let journal = lock(&self.journal);
+        let smaller = journal.timed_out_below(&run.id, run.measured.triangles?)?;
+        Some(format!("it timed out on {}, which is smaller", smaller.id.mesh.name))
+    }
+
+    fn installed(
+        &self,
+        block: &Block,
+        run: &PlannedRun,
+    ) -> Option<&Result<Installed, NotInstalledError>> {
+        let program = block.program(run.job)?;
+        self.programs.get(&(block.id.experiment.clone(), program.name.clone()))
     }
 
     /// Returns the record of a run before it begins.
     fn planned_record(&self, block: &Block, run: &PlannedRun) -> RunRecord {
+        let program = match self.installed(block, run) {
+            None => machine::program(),
+            Some(Ok(installed)) => installed.version.clone(),
+            Some(Err(_)) => String::new(),
+        };
         RunRecord {
             key: self.key(block, run),
             id: block.run_id(run),
             mesh_kind: block.mesh.kind(),
             repetition: block.repetition,
             seed: run.seed,
-            parallel_jobs: self.jobs,
-            program: machine::program(),
-            machine: self.machine.clone(),
-            command: command(&block.mesh, run),
+            parallel_jobs: self.runner.jobs,
+            program,
+            machine: self.runner.machine.clone(),
+            command: command(block, run),
             measured: Measured {
                 vertices: Some(block.mesh.vertices.into()),
                 triangles: Some(block.mesh.triangles.into()),
@@ -215,9 +290,14 @@ impl Runner {
             Source::Made(made, _) => made.recipe.key(),
         };
         let stop = run.stop_after_paths.map_or(String::new(), |paths| paths.to_string());
+        let program = match self.installed(block, run) {
+            None => &self.runner.program_hash,
+            Some(Ok(installed)) => &installed.hash,
+            Some(Err(_)) => "not installed",
+        };
         hash_of_words(&[
             SCHEMA,
-            &self.program_hash,
+            program,
             &block.id.experiment,
             block.id.scale.id(),
             &block.id.group,
@@ -232,56 +312,12 @@ impl Runner {
         ])
     }
 
-    /// Makes the mesh if it has no file yet, and hashes the file.
-    fn prepare(&self, mesh: &PlannedMesh, limits: Limits) -> Result<MeshFile, MeshFileError> {
-        let path = match &mesh.source {
-            Source::File(path, _) => path.clone(),
-            Source::Made(made, scale) => self.make(made, *scale, limits)?,
-        };
-        match machine::hash_of_file(&path) {
-            Ok(sha256) => Ok(MeshFile { path, sha256 }),
-            Err(error) => Err(MeshFileError::Read { path, problem: error.to_string() }),
-        }
+    /// Removes a mesh that is no longer needed.
+    fn leave(&self, at_hand: Option<AtHand>, workshop: &Workshop) {
+        let Some(AtHand { mesh, .. }) = at_hand else { return };
+        workshop.clear([&mesh]);
+        self.observer.mesh_done(&mesh, &lock(&self.journal));
     }
-
-    /// Makes a mesh in a process of its own.
-    fn make(
-        &self,
-        made: &PaperMesh,
-        scale: Scale,
-        limits: Limits,
-    ) -> Result<PathBuf, MeshFileError> {
-        let failure = |error: io::Error| MeshFileError::Make(error.to_string());
-        std::fs::create_dir_all(&self.workshop).map_err(failure)?;
-        let path = self.workshop.join(format!("{}-{}.ply", made.name, scale.id()));
-        let words = ["generate", "paper", made.name, "--scale", scale.id(), "-o"];
-        let mut arguments: Vec<OsString> = words.map(Into::into).into();
-        arguments.push(path.clone().into());
-        if let Some(cache) = &self.cache {
-            arguments.extend(["--cache".into(), cache.into()]);
-        }
-        match process::run(&self.program, &arguments, limits).map_err(failure)? {
-            Ending { outcome: Outcome::Ok, .. } => Ok(path),
-            Ending { reason, .. } => Err(MeshFileError::Make(reason)),
-        }
-    }
-
-    /// Removes a mesh that was made and is no longer needed.
-    fn leave(&self, at_hand: Option<AtHand>, journal: &Journal, observer: &dyn RunObserver) {
-        let Some(AtHand { mesh, file }) = at_hand else { return };
-        if let (Source::Made(..), Ok(MeshFile { path, .. })) = (&mesh.source, file) {
-            // What stays behind is replaced the next time.
-            let _ = std::fs::remove_file(path);
-            let _ = std::fs::remove_dir(&self.workshop);
-        }
-        observer.mesh_done(&mesh, journal);
-    }
-}
-
-/// Returns why a run is skipped: its job timed out on a smaller mesh.
-fn too_slow(run: &RunRecord, journal: &Journal) -> Option<String> {
-    let smaller = journal.timed_out_below(&run.id, run.measured.triangles?)?;
-    Some(format!("it timed out on {}, which is smaller", smaller.id.mesh.name))
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
@@ -290,8 +326,11 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
     use crate::experiment::spec::Experiment;
+    use crate::meshes::paper::Scale;
     use triquad::clock::SteppingClock;
 
     const EXPERIMENT: &str = r#"

@@ -22,6 +22,9 @@
 //! fewer = { eros = 2 }                    # at full scale
 //! stop_after_paths = { eros = 2000 }      # at full scale: the rest is extrapolated
 //! ```
+//!
+//! Programs that are not ours are described in tables `[[program]]`: see
+//! [`program_spec`](super::program_spec).
 
 use std::collections::BTreeMap;
 use std::io;
@@ -30,6 +33,8 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use super::job::{self, Job, UnknownNameError};
+use super::program_spec::{ProgramSpec, ProgramSpecError};
+use super::task::Task;
 use crate::meshes::paper::Scale;
 
 /// An experiment file.
@@ -48,19 +53,12 @@ pub struct Experiment {
     pub pictures: Option<String>,
     /// When a run is stopped.
     pub limits: Limits,
+    /// Programs that are not ours, to be named among the algorithms.
+    #[serde(default, rename = "program")]
+    pub programs: Vec<ProgramSpec>,
     /// Meshes and what is run on them.
     #[serde(rename = "group")]
     pub groups: Vec<MeshGroup>,
-}
-
-/// What the runs of an experiment do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Task {
-    /// Quadrangulations.
-    Convert,
-    /// Irreducible triangulations.
-    Irreducible,
 }
 
 /// When a run is stopped.
@@ -149,6 +147,22 @@ pub enum SpecError {
     /// A name is not known.
     #[error(transparent)]
     UnknownName(#[from] UnknownNameError),
+    /// A program is described badly.
+    #[error(transparent)]
+    Program(#[from] ProgramSpecError),
+    /// A limit leaves no room for a run.
+    #[error("{name} = {value}: a limit must be from 1 to {most}")]
+    Limit {
+        /// The limit.
+        name: &'static str,
+        /// Its value.
+        value: u64,
+        /// The greatest value.
+        most: u64,
+    },
+    /// A name would break the lines of `runs.csv`.
+    #[error("the name {0:?} is empty or has a line break or another control character")]
+    Name(String),
     /// A run has nothing to do.
     #[error("a run of {algorithms:?} needs algorithms and {list}")]
     NothingToRun {
@@ -166,7 +180,12 @@ impl Experiment {
     /// It cannot be read, is no TOML, or names something unknown.
     pub fn read(path: &Path) -> Result<Self, SpecFileError> {
         let text = std::fs::read_to_string(path).map_err(SpecError::Io);
-        let read = text.and_then(|text| Self::parse(&text));
+        let read = text.and_then(|text| Self::parse(&text)).map(|mut experiment| {
+            let here = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+            let here = here.unwrap_or(Path::new(".")).to_owned();
+            experiment.programs.iter_mut().for_each(|program| program.here.clone_from(&here));
+            experiment
+        });
         read.map_err(|error| SpecFileError { path: path.to_owned(), error })
     }
 
@@ -177,37 +196,81 @@ impl Experiment {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             SpecError::Syntax { line, message: error.message().into() }
         })?;
-        for run in experiment.groups.iter().flat_map(|group| &group.runs) {
-            run.jobs(experiment.task)?;
-        }
+        experiment.check()?;
         Ok(experiment)
+    }
+
+    fn check(&self) -> Result<(), SpecError> {
+        let names = self.groups.iter().map(|group| &group.name).chain([&self.name]);
+        let breaks = |name: &&String| name.trim().is_empty() || name.contains(char::is_control);
+        if let Some(name) = names.into_iter().find(breaks) {
+            return Err(SpecError::Name(name.clone()));
+        }
+        self.limits.check()?;
+        for (place, program) in self.programs.iter().enumerate() {
+            program.check(self.task)?;
+            if self.programs[..place].iter().any(|other| other.name == program.name) {
+                return Err(ProgramSpecError::Twice(program.name.clone()).into());
+            }
+        }
+        let mut runs = self.groups.iter().flat_map(|group| &group.runs);
+        runs.try_for_each(|run| run.jobs(self.task, &self.programs).map(|_| ()))
+    }
+}
+
+impl Limits {
+    /// Checks that a run has some time and memory, and no more than numbers can say.
+    fn check(self) -> Result<(), SpecError> {
+        let limits = [
+            ("timeout_seconds", self.timeout_seconds, 1_000_000_000),
+            ("memory_gigabytes", self.memory_gigabytes, 1_000_000),
+        ];
+        let bad = limits.into_iter().find(|&(_, value, most)| !(1..=most).contains(&value));
+        bad.map_or(Ok(()), |(name, value, most)| Err(SpecError::Limit { name, value, most }))
     }
 }
 
 impl RunSpec {
-    /// Returns the jobs, every algorithm in every way.
-    pub(super) fn jobs(&self, task: Task) -> Result<Vec<Job>, SpecError> {
+    /// Returns the jobs: every algorithm in every way, every program once.
+    pub(super) fn jobs(&self, task: Task, programs: &[ProgramSpec]) -> Result<Vec<Job>, SpecError> {
         let mut jobs = Vec::new();
         for name in &self.algorithms {
-            match task {
-                Task::Convert => {
-                    let algorithm = job::find_conversion(name)?;
-                    for augmentation in &self.augmentations {
-                        let augmentation = job::find_augmentation(augmentation)?;
-                        jobs.push(Job::Convert { algorithm, augmentation });
-                    }
-                }
-                Task::Irreducible => {
-                    let method = job::find_method(name)?;
-                    for order in &self.orders {
-                        jobs.push(Job::Reduce { method, order: job::find_order(order)? });
-                    }
-                }
+            match programs.iter().find(|program| program.name == *name) {
+                Some(program) => jobs.push(program.job()),
+                None => jobs.extend(self.jobs_of(task, name, programs)?),
             }
         }
         if jobs.is_empty() {
             let list = if task == Task::Convert { "augmentations" } else { "orders" };
             return Err(SpecError::NothingToRun { algorithms: self.algorithms.clone(), list });
+        }
+        Ok(jobs)
+    }
+
+    /// Returns the jobs of an algorithm of ours.
+    fn jobs_of(
+        &self,
+        task: Task,
+        name: &str,
+        programs: &[ProgramSpec],
+    ) -> Result<Vec<Job>, SpecError> {
+        let names = programs.iter().map(|program| program.name.as_str());
+        let or_program = |error: UnknownNameError| error.with(names);
+        let mut jobs = Vec::new();
+        match task {
+            Task::Convert => {
+                let algorithm = job::find_conversion(name).map_err(or_program)?;
+                for augmentation in &self.augmentations {
+                    let augmentation = job::find_augmentation(augmentation)?;
+                    jobs.push(Job::Convert { algorithm, augmentation });
+                }
+            }
+            Task::Irreducible => {
+                let method = job::find_method(name).map_err(or_program)?;
+                for order in &self.orders {
+                    jobs.push(Job::Reduce { method, order: job::find_order(order)? });
+                }
+            }
         }
         Ok(jobs)
     }
@@ -256,7 +319,7 @@ mod tests {
     fn a_file_says_what_is_run_how_often() {
         let experiment = Experiment::parse(TEXT).unwrap();
         let run = &experiment.groups[0].runs[0];
-        let jobs = run.jobs(experiment.task).unwrap();
+        let jobs = run.jobs(experiment.task, &[]).unwrap();
         let few = Algorithm::Lrs(Expansion::FewFlips);
         assert_eq!(jobs.len(), 4);
         assert_eq!(jobs[3], Job::Convert { algorithm: few, augmentation: Augmentation::Local });
@@ -271,6 +334,21 @@ mod tests {
     }
 
     #[test]
+    fn programs_are_named_among_the_algorithms() {
+        let program = "[[program]]\nname = \"mine\"\ntask = \"convert\"\n\
+                       command = \"run {mesh} {quads}\"\n[[group]]";
+        let text = TEXT.replace("[[group]]", program).replace("\"ps\"", "\"ps\", \"mine\"");
+        let experiment = Experiment::parse(&text).unwrap();
+        let jobs = experiment.groups[0].runs[0].jobs(Task::Convert, &experiment.programs).unwrap();
+        assert_eq!((jobs.len(), jobs[2].label()), (5, "mine".to_owned()));
+        let typo = text.replace("\"mine\", \"lrs", "\"min\", \"lrs");
+        let error = Experiment::parse(&typo).unwrap_err().to_string();
+        assert!(error.ends_with("the nearest is \"mine\""), "{error}");
+        let twice = text.replace("[[group]]", program);
+        assert!(Experiment::parse(&twice).unwrap_err().to_string().starts_with("two programs"));
+    }
+
+    #[test]
     fn what_is_wrong_is_named_with_its_line() {
         let problem = |from: &str, to: &str| {
             assert!(TEXT.contains(from));
@@ -278,9 +356,16 @@ mod tests {
         };
         assert!(problem("seed = 1", "seed = -1").starts_with("line 5: "));
         assert!(problem("seed", "sed").contains("unknown field `sed`"));
-        assert_eq!(problem("\"ps\"", "\"xx\""), "\"xx\" is none of best, tq, sg, ps, ds, gw, lrs");
-        assert_eq!(problem("few-flips", "none"), "\"none\" is none of printed, few-flips");
-        assert_eq!(problem("\"local\"", "\"far\""), "\"far\" is none of local, tarjan");
+        let unknown = "\"pss\" is none of best, tq, sg, ps, ds, gw, lrs; the nearest is \"ps\"";
+        assert_eq!(problem("\"ps\"", "\"pss\""), unknown);
+        assert!(problem("few-flips", "none").starts_with("\"none\" is none of printed, few-flips"));
+        assert!(problem("\"local\"", "\"far\"").starts_with("\"far\" is none of local, tarjan"));
+        assert!(problem("timeout_seconds = 9", "timeout_seconds = 0").contains("from 1 to"));
+        assert!(
+            problem("memory_gigabytes = 2", "memory_gigabytes = 36028797018963968")
+                .contains("1000000")
+        );
+        assert!(problem("name = \"g\"", "name = \"g\\nh\"").contains("control character"));
         let nothing = problem("augmentations = [\"tarjan\", \"local\"]", "orders = [\"file\"]");
         assert!(nothing.contains("needs algorithms and augmentations"), "{nothing}");
     }

@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 
 use super::paper::{self, PaperMesh, Scale};
-use super::recipe::{GenerateError, Recipe, into_list, simplified};
+use super::recipe::{GenerateError, Recipe, paper_box, simplified};
 use triquad::mesh::{Mesh, MeshError, Output};
-use triquad_generators::box_mesh::BoxShape;
+use triquad::simplify::Rule;
+use triquad_generators::box_mesh::{PaperBox, Walls};
 
 /// Increased whenever a recipe's bytes change: what was kept before is then no longer found.
-const EDITION: u32 = 2;
+const EDITION: u32 = 3;
 
 /// A folder of generated meshes, each under the key of its recipe.
 ///
@@ -65,8 +66,9 @@ impl Cache {
     }
 
     /// Simplifies a box to `vertices`, and keeps what it is at each of `stops`, descending.
-    fn make(&self, of: BoxShape, stops: &[u32], vertices: u32) -> Result<Mesh, GenerateError> {
-        simplified(&into_list(of.surface()?), stops, vertices, |stop, list| {
+    fn make(&self, of: PaperBox, stops: &[u32], vertices: u32) -> Result<Mesh, GenerateError> {
+        let source = paper_box(of, Walls::default(), 0)?;
+        simplified(&source, Rule::Plain, stops, vertices, |stop, list| {
             let output = self.open(&Recipe::SimplifiedBox { of, vertices: stop })?;
             output.write(&list).map_err(|error| self.failure(error))
         })
@@ -74,7 +76,7 @@ impl Cache {
 }
 
 /// Returns the sizes above `vertices` of the papers' meshes from a box, descending.
-fn on_the_way(of: BoxShape, vertices: u32) -> Vec<u32> {
+fn on_the_way(of: PaperBox, vertices: u32) -> Vec<u32> {
     let passed = |mesh: PaperMesh| match mesh.recipe {
         Recipe::SimplifiedBox { of: other, vertices } if other == of => Some(vertices),
         _ => None,
@@ -94,19 +96,20 @@ mod tests {
     #[test]
     fn the_way_to_a_mesh_leads_through_all_larger_ones_of_its_box() {
         let recipe = |name| paper::named(name).unwrap().recipe;
-        let (Recipe::Box(a1), Recipe::Box(b1)) = (recipe("A1"), recipe("B1")) else {
-            panic!("they are boxes");
-        };
+        let [a1, b1] = ["A1", "B1"].map(|name| match recipe(name) {
+            Recipe::PaperBox { shape, .. } => shape,
+            other => panic!("{other:?} is no box"),
+        });
         assert_eq!(on_the_way(a1, 745_697), [1_097_150, 991_416]);
         assert_eq!(on_the_way(b1, 604_150), [1_104_150, 994_979, 748_496]);
-        assert!(on_the_way(BoxShape { holes: 7, ..a1 }, 10).is_empty());
+        assert!(on_the_way(PaperBox { holes: 7, ..a1 }, 10).is_empty());
     }
 
     #[test]
     fn what_is_kept_on_the_way_is_what_would_be_made() {
         let folder = tempfile::tempdir().unwrap();
         let cache = Cache::new(folder.path());
-        let of = BoxShape { cavities: 2, holes: 2, vertices: 700 };
+        let of = PaperBox { shafts: 2, depth: 30, holes: 2 };
         let smallest = cache.make(of, &[500, 300], 200).unwrap();
         let made = |vertices| Recipe::SimplifiedBox { of, vertices }.make().unwrap();
         assert_eq!(smallest, made(200));

@@ -10,4 +10,6 @@ mod recipe;
 
 pub use cache::Cache;
 pub use recipe::{GenerateError, MeshKind, Recipe};
-pub use triquad_generators::box_mesh::{BoxShape, ImpossibleBox};
+pub use triquad_generators::box_mesh::{
+    BoxShape, ImpossibleBox, ImpossiblePaperBox, PaperBox, Walls,
+};

@@ -2,7 +2,7 @@
 //! to 5 of the paper on irreducible triangulations, whose boxes carry the prefix `ir-`.
 
 use super::recipe::{MeshKind, Recipe};
-use triquad_generators::box_mesh::BoxShape;
+use triquad_generators::box_mesh::{PaperBox, Walls};
 
 /// A mesh of the papers, and how its like is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +55,16 @@ impl Scale {
         }
     }
 
+    /// Returns the box with about so much fewer shafts, and as much fewer holes.
+    fn divided(self, shape: PaperBox) -> PaperBox {
+        let shafts = match self {
+            Self::Full => shape.shafts,
+            Self::Small => 14,
+            Self::Demo => 6,
+        };
+        PaperBox { shafts, holes: shape.holes.div_ceil(self.divisor()), ..shape }
+    }
+
     fn divisor(self) -> u32 {
         match self {
             Self::Full => 1,
@@ -64,21 +74,23 @@ impl Scale {
     }
 }
 
-/// All shafts of the papers' boxes, 62 × 62.
-const SHAFTS: u32 = 3844;
-const A1: BoxShape = with_holes(2_097_150, 0);
-const B1: BoxShape = with_holes(2_104_150, 3500);
+const A1: PaperBox = PaperBox::PUBLISHED;
+const B1: PaperBox = with_holes(3500);
 
-const fn with_holes(vertices: u32, holes: u32) -> BoxShape {
-    BoxShape { cavities: SHAFTS - holes, holes, vertices }
+const fn with_holes(holes: u32) -> PaperBox {
+    PaperBox { holes, ..A1 }
 }
 
-const fn a_box(name: &'static str, shape: BoxShape) -> PaperMesh {
-    let BoxShape { holes, vertices, .. } = shape;
-    PaperMesh { name, genus: holes, vertices, recipe: Recipe::Box(shape) }
+/// The box with so many vertices and holes as printed; a test compares its own.
+const fn a_box(name: &'static str, vertices: u32, holes: u32) -> PaperMesh {
+    PaperMesh { name, genus: holes, vertices, recipe: box_recipe(with_holes(holes)) }
 }
 
-const fn simplified(name: &'static str, of: BoxShape, vertices: u32) -> PaperMesh {
+const fn box_recipe(shape: PaperBox) -> Recipe {
+    Recipe::PaperBox { shape, walls: Walls::Alternating, seed: 0 }
+}
+
+const fn simplified(name: &'static str, of: PaperBox, vertices: u32) -> PaperMesh {
     PaperMesh { name, genus: of.holes, vertices, recipe: Recipe::SimplifiedBox { of, vertices } }
 }
 
@@ -101,19 +113,19 @@ pub const ALL: [PaperMesh; 49] = [
     scan("iphigenia", 351_750, 4),
     scan("socket", 836, 7),
     // Table 4.2 (a).
-    a_box("A1", A1),
+    a_box("A1", 2_097_150, 0),
     simplified("A2", A1, 991_416),
     simplified("A3", A1, 745_697),
     simplified("A4", A1, 418_073),
     simplified("A5", A1, 172_354),
     // Table 4.2 (b).
-    a_box("B1", B1),
+    a_box("B1", 2_104_150, 3500),
     simplified("B2", B1, 994_979),
     simplified("B3", B1, 748_496),
     simplified("B4", B1, 419_852),
     simplified("B5", B1, 173_370),
     // Table 3.
-    a_box("ir-B0", A1),
+    a_box("ir-B0", 2_097_150, 0),
     simplified("ir-B1", A1, 1_097_150),
     simplified("ir-B2", A1, 597_150),
     simplified("ir-B3", A1, 297_150),
@@ -124,7 +136,7 @@ pub const ALL: [PaperMesh; 49] = [
     simplified("ir-B8", A1, 8_400),
     simplified("ir-B9", A1, 4_400),
     // Table 4.
-    a_box("ir-C0", B1),
+    a_box("ir-C0", 2_104_150, 3500),
     simplified("ir-C1", B1, 1_104_150),
     simplified("ir-C2", B1, 604_150),
     simplified("ir-C3", B1, 354_150),
@@ -133,16 +145,16 @@ pub const ALL: [PaperMesh; 49] = [
     simplified("ir-C6", B1, 41_650),
     simplified("ir-C7", B1, 16_650),
     // Table 5.
-    a_box("ir-D0", B1),
-    a_box("ir-D1", with_holes(2_103_150, 3000)),
-    a_box("ir-D2", with_holes(2_102_150, 2500)),
-    a_box("ir-D3", with_holes(2_101_150, 2000)),
-    a_box("ir-D4", with_holes(2_100_150, 1500)),
-    a_box("ir-D5", with_holes(2_099_150, 1000)),
-    a_box("ir-D6", with_holes(2_098_150, 500)),
-    a_box("ir-D7", with_holes(2_097_350, 100)),
-    a_box("ir-D8", with_holes(2_097_250, 50)),
-    a_box("ir-D9", with_holes(2_097_170, 10)),
+    a_box("ir-D0", 2_104_150, 3500),
+    a_box("ir-D1", 2_103_150, 3000),
+    a_box("ir-D2", 2_102_150, 2500),
+    a_box("ir-D3", 2_101_150, 2000),
+    a_box("ir-D4", 2_100_150, 1500),
+    a_box("ir-D5", 2_099_150, 1000),
+    a_box("ir-D6", 2_098_150, 500),
+    a_box("ir-D7", 2_097_350, 100),
+    a_box("ir-D8", 2_097_250, 50),
+    a_box("ir-D9", 2_097_170, 10),
 ];
 
 /// Returns the mesh of that name.
@@ -151,35 +163,38 @@ pub fn named(name: &str) -> Option<PaperMesh> {
 }
 
 impl PaperMesh {
-    /// Returns the mesh at `scale`: vertices, shafts and genus divided alike, a genus above 0 not
-    /// to 0, a scan's vertices not below 200.
+    /// Returns the mesh at `scale`: vertices, shafts and genus divided about alike, a genus above 0
+    /// not to 0, a scan's vertices not below 200. A box keeps the depth of its shafts.
     pub fn at(mut self, scale: Scale) -> Self {
+        if scale == Scale::Full {
+            return self;
+        }
         let divisor = scale.divisor();
-        let small_box = |shape: BoxShape| {
-            let shafts = (shape.cavities + shape.holes).div_ceil(divisor);
-            let holes = shape.holes.div_ceil(divisor);
-            BoxShape { vertices: shape.vertices / divisor, cavities: shafts - holes, holes }
-        };
-        // The smallest scans would lose all shape, and vertices enough for their genus.
-        let least = if matches!(self.recipe, Recipe::StandIn { .. }) { 200 } else { 0 };
-        self.vertices = (self.vertices / divisor).max(least.min(self.vertices));
         self.genus = self.genus.div_ceil(divisor);
-        self.recipe = match self.recipe {
-            Recipe::Box(shape) => Recipe::Box(small_box(shape)),
-            Recipe::SimplifiedBox { of, .. } => {
-                Recipe::SimplifiedBox { of: small_box(of), vertices: self.vertices }
+        self.vertices /= divisor;
+        match &mut self.recipe {
+            Recipe::Box(_) => {}
+            Recipe::PaperBox { shape, .. } => {
+                *shape = scale.divided(*shape);
+                self.vertices = shape.vertices() as u32;
             }
-            Recipe::StandIn { seed, .. } => {
-                Recipe::StandIn { vertices: self.vertices, genus: self.genus, seed }
+            Recipe::SimplifiedBox { of, vertices } => {
+                *of = scale.divided(*of);
+                *vertices = self.vertices;
             }
-        };
+            Recipe::StandIn { vertices, genus, .. } => {
+                // The smallest scans would lose all shape, and vertices enough for their genus.
+                self.vertices = self.vertices.max(200.min(*vertices));
+                (*vertices, *genus) = (self.vertices, self.genus);
+            }
+        }
         self
     }
 
     /// Returns the kind of the mesh in records.
     pub fn kind(&self) -> MeshKind {
         match self.recipe {
-            Recipe::Box(_) => MeshKind::Generated,
+            Recipe::Box(_) | Recipe::PaperBox { .. } => MeshKind::Generated,
             Recipe::SimplifiedBox { .. } => MeshKind::Simplified,
             Recipe::StandIn { .. } => MeshKind::StandIn,
         }
@@ -210,8 +225,11 @@ mod tests {
         }
         for mesh in ALL {
             assert_eq!(mesh.at(Scale::Full), mesh);
-            let Recipe::Box(shape) = mesh.at(Scale::Small).recipe else { continue };
-            assert_eq!(shape.cavities + shape.holes, 193, "{}", mesh.name);
+            let Recipe::PaperBox { shape, .. } = mesh.recipe else { continue };
+            assert_eq!(shape.vertices(), u64::from(mesh.vertices), "{}", mesh.name);
+            let small = mesh.at(Scale::Small);
+            let ratio = f64::from(mesh.vertices) / f64::from(small.vertices);
+            assert!((19.0..21.0).contains(&ratio), "{}", mesh.name);
         }
     }
 

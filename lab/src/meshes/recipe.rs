@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use triquad::mesh::{Mesh, MeshError};
 use triquad::random::Random;
-use triquad::simplify::{Simplifier, SimplifyError};
+use triquad::simplify::{Rule, Simplifier, SimplifyError};
 use triquad::triangulation::Triangulation;
-use triquad_generators::box_mesh::{BoxShape, ImpossibleBox};
+use triquad_generators::box_mesh::{BoxShape, ImpossibleBox, ImpossiblePaperBox, PaperBox, Walls};
 use triquad_generators::{Surface, organic};
 
 /// Origin of a mesh in records.
@@ -47,12 +47,21 @@ const OVERSAMPLING: u64 = 3;
 /// Everything that fixes the bytes of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recipe {
-    /// A box with shafts (Lemos et al., section 4; Ramaswami-Siqueira, section 5.1).
+    /// A box with shafts and as many vertices as asked for.
     Box(BoxShape),
-    /// A box simplified to so many vertices.
+    /// A box of the papers' kind (Lemos et al., section 4; Ramaswami-Siqueira, section 5.1).
+    PaperBox {
+        /// Its size.
+        shape: PaperBox,
+        /// The diagonals of its walls.
+        walls: Walls,
+        /// Seed of those that are drawn.
+        seed: u64,
+    },
+    /// A box of the papers' kind, simplified to so many vertices by [`Rule::Plain`].
     SimplifiedBox {
-        /// The box.
-        of: BoxShape,
+        /// The box, with the usual diagonals.
+        of: PaperBox,
         /// Vertices that are left.
         vertices: u32,
     },
@@ -75,6 +84,9 @@ pub enum GenerateError {
     /// There is no such box.
     #[error("{0}")]
     Box(#[from] ImpossibleBox),
+    /// There is no such box of the papers' kind.
+    #[error("{0}")]
+    PaperBox(#[from] ImpossiblePaperBox),
     /// Simplification cannot get there.
     #[error("{0}")]
     Simplify(#[from] SimplifyError),
@@ -103,11 +115,14 @@ impl Recipe {
     pub fn make(&self) -> Result<Mesh, GenerateError> {
         match *self {
             Self::Box(shape) => Ok(into_list(shape.surface()?)),
+            Self::PaperBox { shape, walls, seed } => paper_box(shape, walls, seed),
             Self::SimplifiedBox { of, vertices } => {
-                simplified(&into_list(of.surface()?), &[], vertices, |_, _| Ok(()))
+                let source = paper_box(of, Walls::default(), 0)?;
+                simplified(&source, Rule::Plain, &[], vertices, |_, _| Ok(()))
             }
             Self::StandIn { vertices, genus, seed } => {
-                simplified(&stand_in_source(vertices, genus, seed)?, &[], vertices, |_, _| Ok(()))
+                let source = stand_in_source(vertices, genus, seed)?;
+                simplified(&source, Rule::Guarded, &[], vertices, |_, _| Ok(()))
             }
         }
     }
@@ -115,9 +130,13 @@ impl Recipe {
     /// Returns a name that no other recipe has, fit for a file.
     pub fn key(&self) -> String {
         let of_box = |b: BoxShape| format!("box-{}-{}-{}", b.vertices, b.cavities, b.holes);
+        let of_paper_box = |b: PaperBox| format!("paper-box-{}-{}-{}", b.shafts, b.depth, b.holes);
         match *self {
             Self::Box(shape) => of_box(shape),
-            Self::SimplifiedBox { of, vertices } => format!("{}-to-{vertices}", of_box(of)),
+            Self::PaperBox { shape, walls, seed } => {
+                format!("{}-{}-{seed}", of_paper_box(shape), walls.id())
+            }
+            Self::SimplifiedBox { of, vertices } => format!("{}-to-{vertices}", of_paper_box(of)),
             Self::StandIn { vertices, genus, seed } => {
                 format!("stand-in-{vertices}-{genus}-{seed}")
             }
@@ -126,12 +145,17 @@ impl Recipe {
 
     /// Returns whether making the mesh takes longer than reading it from a file.
     pub(super) fn is_costly(&self) -> bool {
-        !matches!(self, Self::Box(_))
+        !matches!(self, Self::Box(_) | Self::PaperBox { .. })
     }
 }
 
-pub(super) fn into_list(surface: Surface) -> Mesh {
+fn into_list(surface: Surface) -> Mesh {
     Mesh::from_triangles(surface.positions, surface.triangles)
+}
+
+pub(super) fn paper_box(shape: PaperBox, walls: Walls, seed: u64) -> Result<Mesh, GenerateError> {
+    let mut random = Random::stream(seed, &["paper-box"]);
+    Ok(into_list(shape.surface(walls, &mut |bound| random.below(bound))?))
 }
 
 fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<Mesh, GenerateError> {
@@ -146,16 +170,17 @@ fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<Mesh, Generat
     Ok(into_list(organic::surface(genus, source, &mut |bound| random.below(bound))))
 }
 
-/// Simplifies `list` to `vertices`, and calls `on_the_way` with the mesh at each of `stops`,
+/// Simplifies `list` by `rule` to `vertices`, and calls `on_the_way` with the mesh at each of `stops`,
 /// descending.
 pub(super) fn simplified(
     list: &Mesh,
+    rule: Rule,
     stops: &[u32],
     vertices: u32,
     mut on_the_way: impl FnMut(u32, Mesh) -> Result<(), GenerateError>,
 ) -> Result<Mesh, GenerateError> {
     let triangulation = Triangulation::build(list).expect("what is generated is a triangulation");
-    let mut simplifier = Simplifier::new(triangulation, list.positions());
+    let mut simplifier = Simplifier::with_rule(triangulation, list.positions(), rule);
     for &stop in stops {
         simplifier.reduce_to(stop as usize)?;
         on_the_way(stop, simplifier.result().0)?;

@@ -12,7 +12,8 @@ use serde::de::DeserializeOwned;
 use triquad::irreducible::Contractor;
 use triquad::pairing::{Algorithm, Expansion};
 
-use crate::experiment::Job;
+use crate::experiment::job::UnknownNameError;
+use crate::experiment::{Job, Task};
 
 /// One of the two papers, and the experiment that repeats it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -136,6 +137,17 @@ impl Table {
         Self::ALL.into_iter().find(|table| table.number == number)
     }
 
+    /// Returns the table of that number, or of the file called so, with or without its ending.
+    ///
+    /// # Errors
+    /// There is no such table.
+    pub fn named(name: &str) -> Result<Self, UnknownNameError> {
+        let stem = name.trim_end_matches(".csv");
+        let is_file = |table: &Self| table.file.trim_end_matches(".csv") == stem;
+        let found = Self::numbered(name).or_else(|| Self::ALL.into_iter().find(is_file));
+        found.ok_or_else(|| UnknownNameError::new(name, &Self::ALL.map(|table| table.number)))
+    }
+
     /// Returns the rows of a table of meshes; of another, none.
     pub fn mesh_rows(&self) -> Vec<MeshRow> {
         self.rows_if(TableKind::Meshes)
@@ -154,6 +166,15 @@ impl Table {
     /// Returns the rows of a table of ratios; of another, none.
     pub fn ratio_rows(&self) -> Vec<RatioRow> {
         self.rows_if(TableKind::Ratios)
+    }
+
+    /// Returns the number of its rows that contradict the paper itself.
+    pub fn errata(&self) -> usize {
+        let mut reader = csv::Reader::from_reader(self.text.as_bytes());
+        let names = reader.headers().cloned().unwrap_or_default();
+        let place = names.iter().position(|name| name == "errata");
+        let has = |row: &csv::StringRecord| place.is_some_and(|place| !row[place].is_empty());
+        reader.records().flatten().filter(has).count()
     }
 
     fn rows_if<Row: DeserializeOwned>(&self, kind: TableKind) -> Vec<Row> {
@@ -185,6 +206,35 @@ impl Paper {
         }
     }
 
+    /// Returns what its algorithms make. Records belong to the paper of their task, whatever their
+    /// experiment is called.
+    pub fn task(self) -> Task {
+        match self {
+            Self::Comparison => Task::Convert,
+            Self::Irreducible => Task::Irreducible,
+        }
+    }
+
+    /// Returns the paper on a task.
+    pub fn on(task: Task) -> Self {
+        match task {
+            Task::Convert => Self::Comparison,
+            Task::Irreducible => Self::Irreducible,
+        }
+    }
+
+    /// Returns the group of that name, if it has one; `data` is for meshes that it does not have.
+    pub fn group_named(self, name: &str) -> Option<&'static str> {
+        let groups = Table::of_kind(self, TableKind::Meshes).map(|table| table.group);
+        groups.chain(["data"]).find(|group| *group == name)
+    }
+
+    /// Returns the group of a mesh in its tables; `data` for a mesh that it does not have.
+    pub fn group_of(self, mesh: &str) -> &'static str {
+        let has = |table: &Table| table.mesh_rows().iter().any(|row| row.mesh == mesh);
+        Table::of_kind(self, TableKind::Meshes).find(has).map_or("data", |table| table.group)
+    }
+
     /// Returns the name of its experiment in records.
     pub fn experiment(self) -> &'static str {
         match self {
@@ -193,16 +243,19 @@ impl Paper {
         }
     }
 
-    /// Returns authors, title and place.
-    pub fn citation(self) -> &'static str {
+    /// Returns authors, title, year and place of each version.
+    pub fn citations(self) -> &'static [&'static str] {
         match self {
-            Self::Comparison => {
+            Self::Comparison => &[
                 "T. Lemos, S. Ramaswami and M. Siqueira, An Experimental Comparison of Algorithms \
-                 for Converting Triangulations of Closed Surfaces into Quadrangulations"
-            }
+                 for Converting Triangulations of Closed Surfaces into Quadrangulations, full \
+                 version, 2015, http://clam.rutgers.edu/~rsuneeta/hpc/research/imr15_long.pdf",
+                "The same authors and title, research note, 24th International Meshing Roundtable \
+                 (IMR24), Elsevier, 2015; its Table 1 is Table 4.3",
+            ],
             Self::Irreducible => {
-                "S. Ramaswami and M. Siqueira, A fast algorithm for computing irreducible \
-                 triangulations of closed surfaces in E^d, CoRR arXiv:1409.6015, 2014"
+                &["S. Ramaswami and M. Siqueira, A fast algorithm for computing irreducible \
+                 triangulations of closed surfaces in E^d, CoRR arXiv:1409.6015, 2014"]
             }
         }
     }

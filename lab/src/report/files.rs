@@ -3,6 +3,7 @@
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
+use super::baseline::BaselineTable;
 use super::compare::{self, Comparison};
 use super::defects::Defect;
 use super::page::{self, Parts, PictureFile};
@@ -11,6 +12,7 @@ use super::tables::{self, ReportTable};
 use super::{plots, plots::Plot};
 use crate::experiment::Results;
 use crate::pictures::PictureRecord;
+use crate::whole_file::refuse_link;
 use triquad::atomic_file::AtomicFile;
 
 /// How much of a report is written.
@@ -61,11 +63,15 @@ pub fn write(folder: &Path, results: &Results, extent: Extent) -> Result<Report,
     let mut files = table_files(&tables, &comparison);
     if extent == Extent::Everything {
         let (plots, pictures) = (plots::all(&summary), pictures_in(folder));
+        let tolerances = compare::tolerances(&summary);
+        let text = compare::tolerances_csv(&tolerances).into();
+        files.push(ReportFile { name: "tolerances.csv".into(), bytes: text });
         let parts = Parts {
             results,
             summary: &summary,
             tables: &tables,
             comparison: &comparison,
+            tolerances: &tolerances,
             plots: &plots,
             pictures: &pictures,
             defects: &defects,
@@ -76,6 +82,23 @@ pub fn write(folder: &Path, results: &Results, extent: Extent) -> Result<Report,
     write_all(folder, &files)?;
     let page = (extent == Extent::Everything).then(|| folder.join(PAGE));
     Ok(Report { page, defects })
+}
+
+/// Name of the folder for comparisons with a baseline.
+const BASELINE: &str = "baseline";
+
+/// Writes tables against a baseline into the folder `baseline` in `folder`, and returns that.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn write_baseline(folder: &Path, tables: &[BaselineTable]) -> Result<PathBuf, ReportError> {
+    let file = |table: &BaselineTable| ReportFile {
+        name: format!("{BASELINE}/{}", table.file),
+        bytes: table.csv().into(),
+    };
+    let files: Vec<ReportFile> = tables.iter().map(file).collect();
+    write_all(folder, &files)?;
+    Ok(folder.join(BASELINE))
 }
 
 fn table_files(tables: &[ReportTable], comparison: &Comparison) -> Vec<ReportFile> {
@@ -95,7 +118,12 @@ fn plot_files(plot: Plot) -> [ReportFile; 3] {
 /// Reads the pictures beside the records; those without a file are left out.
 fn pictures_in(folder: &Path) -> Vec<PictureFile> {
     let folder = folder.join("pictures");
+    // A name that leads out of the folder is no picture of ours.
+    let is_plain = |name: &str| Path::new(name).file_name().is_some_and(|file| file == name);
     let read = |record: PictureRecord| {
+        if !is_plain(&record.file) || folder.join(&record.file).is_symlink() {
+            return None;
+        }
         let png = std::fs::read(folder.join(&record.file)).ok()?;
         Some(PictureFile { record, png })
     };
@@ -110,6 +138,7 @@ fn write_all(folder: &Path, files: &[ReportFile]) -> Result<(), ReportError> {
         let failure = |error| ReportError { path: path.clone(), error };
         let parent = path.parent().expect("a file within the folder");
         std::fs::create_dir_all(parent).map_err(failure)?;
+        refuse_link(&path).map_err(failure)?;
         let mut out = AtomicFile::create(&path).map_err(failure)?;
         out.write_all(&file.bytes).and_then(|()| out.flush()).map_err(failure)?;
         pending.push((path, out));

@@ -5,6 +5,7 @@
 //! No mesh is read or made here and no algorithm runs. Data flows from records through the summary
 //! to tables, verdicts and plots, and from these to the page.
 
+pub mod baseline;
 pub mod claims;
 pub mod compare;
 pub mod defects;
@@ -19,7 +20,7 @@ mod summary;
 pub mod tables;
 
 pub use compare::{Comparison, Judged, Verdict};
-pub use files::{Extent, Report, ReportError, write};
+pub use files::{Extent, Report, ReportError, write, write_baseline};
 pub use notes::Note;
 pub use statistics::Statistics;
 pub use summary::{Cell, Summary};

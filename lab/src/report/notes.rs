@@ -14,6 +14,8 @@ pub enum Note {
     Extrapolated,
     /// Some runs were beside others.
     Parallel,
+    /// Some times are those of whole processes.
+    WallClock,
     /// Some runs have no row, or one without numbers.
     Incomplete,
     /// The paper prints PS and LRS only.
@@ -38,6 +40,7 @@ impl Note {
             (any(Cell::is_stand_in), Self::StandIn),
             (any(Cell::is_extrapolated), Self::Extrapolated),
             (any(Cell::is_parallel), Self::Parallel),
+            (any(Cell::has_wall_clock_times), Self::WallClock),
             (any(incomplete), Self::Incomplete),
         ];
         notes.extend(found.into_iter().filter(|found| found.0).map(|found| found.1));
@@ -67,9 +70,16 @@ impl Note {
                 "Some runs went on beside others on the same machine: their times are neither \
                  ranked nor divided by each other."
             }
+            Self::WallClock => {
+                "A program that reports no time of its own has the wall-clock time of its whole \
+                 process: reading, starting and writing are included."
+            }
             Self::Incomplete => "Runs that are missing or did not end well: see the outcomes.",
             Self::TwoOfFour => "The paper measured SG and DS too, but does not print their rows.",
-            Self::OtherMachine => "Ratios: ours divided by the paper's; its machine is of 2008.",
+            Self::OtherMachine => {
+                "Seconds of the paper are of another machine and are not compared. Under a mean \
+                 stand the quartiles of its runs."
+            }
         }
         .into()
     }
@@ -85,6 +95,7 @@ impl Note {
             }
             Self::Extrapolated => "* : extrapolated from a part of the augmenting paths".into(),
             Self::Parallel => "runs went on side by side: times are not ranked".into(),
+            Self::WallClock => "programs without times of their own: whole processes".into(),
             _ => return None,
         })
     }

@@ -14,6 +14,9 @@ use crate::paper::Paper;
 pub struct Cell {
     /// What is repeated.
     pub id: RunId,
+    /// Group of the mesh as the paper has it: that of the experiment if the paper has one of that
+    /// name, else that of its tables, else `data`.
+    pub group: &'static str,
     /// Where the mesh comes from; `None` where no run of the mesh has a row.
     pub mesh_kind: Option<MeshKind>,
     /// Planned repetitions; 0 where no plan names the cell.
@@ -45,8 +48,13 @@ impl Summary {
             cell.runs.push(record.clone());
         }
         let mut cells: Vec<Cell> = cells.into_values().collect();
+        let mut groups = HashMap::new();
         for cell in &mut cells {
             cell.runs.sort_by_key(|run| run.repetition);
+            let (paper, mesh) = (Paper::on(cell.id.job.task()), cell.id.mesh.name.clone());
+            let place = (paper.task(), mesh);
+            let of_mesh = groups.entry(place).or_insert_with_key(|(_, mesh)| paper.group_of(mesh));
+            cell.group = paper.group_named(&cell.id.mesh.group).unwrap_or(of_mesh);
         }
         set_kinds_and_sort(&mut cells);
         Self { cells }
@@ -71,18 +79,27 @@ impl Summary {
         self.of_paper(paper).filter(move |cell| cell.id.mesh.name == mesh)
     }
 
-    /// Returns the cells of a paper's experiment. O(cells).
+    /// Returns the cells whose jobs do what the algorithms of a paper do. O(cells).
     pub fn of_paper(&self, paper: Paper) -> impl Iterator<Item = &Cell> {
-        self.cells.iter().filter(move |cell| cell.id.mesh.experiment == paper.experiment())
+        self.cells.iter().filter(move |cell| cell.id.job.task() == paper.task())
     }
 
-    /// Returns the cells of a group of a paper's experiment. O(cells).
+    /// Returns the programs and algorithms that are not ours, as they stand in tables. O(cells).
+    pub fn programs(&self, paper: Paper) -> Vec<Job> {
+        let mut programs: Vec<Job> =
+            self.of_paper(paper).map(|cell| cell.id.job).filter(|job| job.is_program()).collect();
+        programs.sort_by_key(|job| job.label());
+        programs.dedup();
+        programs
+    }
+
+    /// Returns the cells on the meshes of a group of a paper. O(cells).
     pub fn of_group<'n>(
         &self,
         paper: Paper,
         group: &'n str,
     ) -> impl Iterator<Item = &Cell> + use<'_, 'n> {
-        self.of_paper(paper).filter(move |cell| cell.id.mesh.group == group)
+        self.of_paper(paper).filter(move |cell| cell.group == group)
     }
 
     /// Returns whether some row was run beside others on the same machine: times are not ranked.
@@ -93,7 +110,8 @@ impl Summary {
 
 impl Cell {
     fn new(id: &RunId) -> Self {
-        Self { id: id.clone(), mesh_kind: None, repetitions_planned: 0, runs: Vec::new() }
+        let (id, runs) = (id.clone(), Vec::new());
+        Self { id, group: "", mesh_kind: None, repetitions_planned: 0, runs }
     }
 
     /// Returns the name of its mesh.
@@ -119,9 +137,12 @@ impl Cell {
     /// Describes a number of the runs that ended well; `None` where none has it, as a finite
     /// number.
     pub fn statistics(&self, number: impl Fn(&RunRecord) -> Option<f64>) -> Option<Statistics> {
-        let values: Vec<f64> =
-            self.ok_runs().filter_map(number).filter(|value| value.is_finite()).collect();
-        Statistics::from_values(&values)
+        Statistics::from_values(&self.sample(number))
+    }
+
+    /// Returns a number of each run that ended well and has it, as a finite number.
+    pub fn sample(&self, number: impl Fn(&RunRecord) -> Option<f64>) -> Vec<f64> {
+        self.ok_runs().filter_map(number).filter(|value| value.is_finite()).collect()
     }
 
     /// Returns the mean of a number over the runs that ended well.
@@ -164,6 +185,15 @@ impl Cell {
         self.runs.iter().any(|run| run.parallel_jobs > 1)
     }
 
+    /// Returns whether its time is that of a whole process that is not ours.
+    pub fn has_wall_clock_times(&self) -> bool {
+        let is_whole = |run: &RunRecord| {
+            let own = [run.measured.total_seconds, run.measured.seconds];
+            run.process_seconds > 0.0 && own.contains(&Some(run.process_seconds))
+        };
+        self.id.job.is_program() && self.ok_runs().any(is_whole)
+    }
+
     /// Returns whether the mesh stands for one that was not at hand.
     pub fn is_stand_in(&self) -> bool {
         self.mesh_kind == Some(MeshKind::StandIn)
@@ -200,7 +230,7 @@ fn set_kinds_and_sort(cells: &mut [Cell]) {
             id.scale,
             (rank(&["scans", "A", "B", "C", "D", "data"], &id.group), name(&id.group)),
             (mesh_rank(&id.name), known[&mesh(id)].1, name(&id.name)),
-            job.facts().rank(),
+            (job.facts().rank(), job.facts().name),
             Reverse(job.names().augmentation),
             job.names().order,
         )

@@ -2,10 +2,10 @@
 
 use triquad::Mesh;
 use triquad::random::Random;
-use triquad::simplify::Simplifier;
+use triquad::simplify::{Rule, Simplifier};
 use triquad::{Algorithm, Converter, Triangulation};
 use triquad_lab::meshes::paper::{self, PaperMesh};
-use triquad_lab::meshes::{BoxShape, Cache, GenerateError, Recipe};
+use triquad_lab::meshes::{BoxShape, Cache, GenerateError, PaperBox, Recipe, Walls};
 
 fn built(list: &Mesh) -> Triangulation {
     Triangulation::build(list).unwrap_or_else(|survey| panic!("{survey}"))
@@ -25,10 +25,17 @@ fn small_box() -> BoxShape {
     BoxShape { cavities: 5, holes: 4, vertices: 1234 }
 }
 
-fn small_recipes() -> [Recipe; 4] {
+fn small_paper_box() -> PaperBox {
+    PaperBox { shafts: 3, depth: 30, holes: 4 }
+}
+
+fn small_recipes() -> [Recipe; 6] {
+    let paper_box = |walls| Recipe::PaperBox { shape: small_paper_box(), walls, seed: 1 };
     [
         Recipe::Box(small_box()),
-        Recipe::SimplifiedBox { of: small_box(), vertices: 321 },
+        paper_box(Walls::Alternating),
+        paper_box(Walls::Drawn),
+        Recipe::SimplifiedBox { of: small_paper_box(), vertices: 321 },
         Recipe::StandIn { vertices: 500, genus: 3, seed: 0 },
         Recipe::StandIn { vertices: 500, genus: 3, seed: 1 },
     ]
@@ -40,13 +47,20 @@ fn every_bit_is_the_same_on_every_machine() {
     let fingerprints = small_recipes().map(|recipe| fingerprint(&recipe.make().unwrap()));
     assert_eq!(
         fingerprints.map(|fingerprint| format!("{fingerprint:016x}")),
-        ["ce1498acbe78c383", "6688ba9d6b8f6897", "08237a22891717f8", "d4f111c028dad600"]
+        [
+            "ce1498acbe78c383",
+            "a605e5ed62851a4f",
+            "6946264ce53e10cd",
+            "d67654e63475bb97",
+            "08237a22891717f8",
+            "d4f111c028dad600",
+        ]
     );
 }
 
 #[test]
 fn vertices_and_genus_are_those_asked_for() {
-    let expected = [(1234, 4), (321, 4), (500, 3), (500, 3)];
+    let expected = [(1234, 4), (2366, 4), (2366, 4), (321, 4), (500, 3), (500, 3)];
     for (recipe, (vertices, genus)) in small_recipes().into_iter().zip(expected) {
         let triangulation = built(&recipe.make().unwrap());
         assert_eq!((triangulation.vertex_count(), triangulation.genus()), (vertices, genus));
@@ -96,8 +110,11 @@ fn what_pulli_segal_leaves_grows_with_irregularity() {
 fn what_cannot_be_made_is_refused() {
     let too_small = Recipe::Box(BoxShape { vertices: 100, ..small_box() });
     assert!(matches!(too_small.make(), Err(GenerateError::Box(_))));
-    let not_so_few = Recipe::SimplifiedBox { of: small_box(), vertices: 9 };
+    let not_so_few = Recipe::SimplifiedBox { of: small_paper_box(), vertices: 9 };
     assert!(matches!(not_so_few.make(), Err(GenerateError::Simplify(_))));
+    let shape = PaperBox { holes: 10, ..small_paper_box() };
+    let too_many_holes = Recipe::PaperBox { shape, walls: Walls::Equal, seed: 0 };
+    assert!(matches!(too_many_holes.make(), Err(GenerateError::PaperBox(_))));
     let too_few = Recipe::StandIn { vertices: 3, genus: 0, seed: 0 };
     assert!(matches!(too_few.make(), Err(GenerateError::Simplify(_))));
     for (vertices, genus) in [(1 << 31, 0), (120_000_000, 0), (1000, 10_000_000), (4, u32::MAX)] {
@@ -113,7 +130,7 @@ fn the_cache_gives_what_would_be_made_and_makes_it_once() {
     for recipe in small_recipes() {
         let made = recipe.make().unwrap();
         assert_eq!(fingerprint(&cache.get(&recipe).unwrap()), fingerprint(&made));
-        if matches!(recipe, Recipe::Box(_)) {
+        if matches!(recipe, Recipe::Box(_) | Recipe::PaperBox { .. }) {
             assert!(!cache.file(&recipe).exists(), "a box is made faster than it is read");
             continue;
         }
@@ -138,7 +155,7 @@ fn a_folder_that_cannot_be_made_is_told() {
     let file = folder.path().join("file");
     std::fs::write(&file, "").unwrap();
     let cache = Cache::new(file);
-    assert!(matches!(cache.get(&small_recipes()[2]), Err(GenerateError::Cache { .. })));
+    assert!(matches!(cache.get(&small_recipes()[4]), Err(GenerateError::Cache { .. })));
 }
 
 fn assert_is(mesh: &PaperMesh, list: &Mesh) {
@@ -157,9 +174,9 @@ fn assert_is(mesh: &PaperMesh, list: &Mesh) {
 /// The boxes of Tables 4.2, 3, 4 and 5, and everything that is simplified from them.
 fn assert_hierarchy(of: &str) {
     let root = paper::named(of).unwrap();
-    let Recipe::Box(shape) = root.recipe else { panic!("{of} is a box") };
+    let Recipe::PaperBox { shape, .. } = root.recipe else { panic!("{of} is a box") };
     let list = root.recipe.make().unwrap();
-    let mut simplifier = Simplifier::new(built(&list), list.positions());
+    let mut simplifier = Simplifier::with_rule(built(&list), list.positions(), Rule::Plain);
     let simplified =
         |mesh: &PaperMesh| matches!(mesh.recipe, Recipe::SimplifiedBox { of, .. } if of == shape);
     let mut meshes: Vec<PaperMesh> = paper::ALL.into_iter().filter(simplified).collect();
@@ -183,7 +200,7 @@ fn the_hierarchies_of_b1_have_the_printed_counts() {
 
 #[test]
 fn the_boxes_have_the_printed_counts_and_convert() {
-    for mesh in paper::ALL.iter().filter(|mesh| matches!(mesh.recipe, Recipe::Box(_))) {
+    for mesh in paper::ALL.iter().filter(|mesh| matches!(mesh.recipe, Recipe::PaperBox { .. })) {
         assert_is(mesh, &mesh.recipe.make().unwrap());
     }
     for name in ["A1", "B1"] {

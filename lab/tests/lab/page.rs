@@ -33,6 +33,7 @@ fn page_with(results: &Results, plots: &[Plot]) -> String {
         summary: &summary,
         tables: &tables,
         comparison: &compare::judge(&summary),
+        tolerances: &compare::tolerances(&summary),
         plots,
         pictures: &pictures(),
         defects: &Defect::all(results, &summary),

@@ -17,3 +17,17 @@ pub(super) fn leave_cycle<S: Nodes>(nodes: &mut S, leaver: u32) {
         first = next;
     }
 }
+
+/// Returns whether no node of a cycle is on the border.
+pub(super) fn is_cycle_inside<S: Nodes>(nodes: &S, on_cycle: u32) -> bool {
+    let mut node = on_cycle;
+    loop {
+        if nodes.is_on_border(node) {
+            return false;
+        }
+        node = nodes.head(nodes.mate(node));
+        if node == on_cycle {
+            return true;
+        }
+    }
+}

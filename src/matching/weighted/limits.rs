@@ -12,14 +12,42 @@ pub(super) struct Limits {
     /// The remaining roots grow together as soon as their number times the limit exceeds this many
     /// times the number of nodes.
     pub(super) patience: u32,
+    /// Nodes in a part, at least.
+    pub(super) part: usize,
+    /// Parts that the nodes are divided into, at most.
+    pub(super) parts: usize,
+    /// Trees in a part may visit one node in so many of it; larger ones mostly meet its border.
+    pub(super) share: usize,
+    /// There are no parts if more than one node in so many is on a border.
+    pub(super) border: usize,
 }
 
 impl Limits {
     /// What is fastest on surfaces.
-    pub(super) const DEFAULT: Self = Self { first: 64, factor: 4, single_rounds: 2, patience: 3 };
+    pub(super) const DEFAULT: Self = Self {
+        first: 64,
+        factor: 4,
+        single_rounds: 2,
+        patience: 3,
+        part: 1 << 18,
+        parts: 16,
+        share: 16,
+        border: 10,
+    };
 
     /// Returns the limit of the round after one with this limit.
     pub(super) fn next(self, limit: usize) -> usize {
         limit.saturating_mul(self.factor)
+    }
+
+    /// Returns how many parts to divide so many nodes into. It does not depend on the machine.
+    pub(super) fn parts(self, nodes: usize) -> usize {
+        // An even number keeps two threads equally busy.
+        (nodes / self.part).next_multiple_of(2).clamp(1, self.parts)
+    }
+
+    /// Returns the greatest limit for trees in a part.
+    pub(super) fn most_in_part(self, nodes: usize) -> usize {
+        nodes / self.parts(nodes) / self.share
     }
 }

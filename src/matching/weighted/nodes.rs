@@ -4,6 +4,8 @@
 //! from 0 to [`Nodes::codes`]. Each node has one more, to the *ground*: a node whose mate is its
 //! ground half-edge stays unpaired at its price.
 
+use std::ops::Range;
+
 use super::number::Number;
 
 /// No half-edge, no set, no blossom.
@@ -45,8 +47,14 @@ pub(super) trait Nodes {
     /// Greatest number of a set that a node can store.
     const MOST_SETS: u32;
 
-    /// Returns the number of nodes.
+    /// Returns the number of all nodes.
     fn len(&self) -> u32;
+    /// Returns the nodes that may be looked at and changed here.
+    fn range(&self) -> Range<u32>;
+    /// Returns whether a node has a neighbour out of range.
+    ///
+    /// Such a node may be looked at, but must not change: who has the neighbour relies on it.
+    fn is_on_border(&self, node: u32) -> bool;
     /// Returns the number of half-edges, those to the ground included.
     fn codes(&self) -> u32;
     /// Returns the node that a half-edge leaves.
@@ -56,7 +64,7 @@ pub(super) trait Nodes {
     /// Returns the node's half-edge to the ground.
     fn ground(&self, node: u32) -> u32;
     /// Returns the node's half-edges but the one to the ground.
-    fn sides(&self, node: u32) -> std::ops::Range<u32>;
+    fn sides(&self, node: u32) -> Range<u32>;
     /// Returns the cost of an edge in halves.
     fn cost(&self, half_edge: u32) -> Self::N;
     /// Returns the price of a node in halves.
@@ -81,6 +89,11 @@ pub(super) trait Nodes {
     /// Returns the set of the outermost blossom that holds the node, `NONE` if it is outermost.
     fn set(&self, node: u32) -> u32;
     fn set_set(&mut self, node: u32, set: u32);
+
+    /// Returns Σ y in halves: without blossoms, no matching costs less. O(n).
+    fn potential_sum(&self) -> i128 {
+        self.range().map(|node| self.potential(node).widen()).sum()
+    }
 
     /// Starts to load the neighbours of a node.
     #[inline]

@@ -21,11 +21,13 @@ pub(super) trait Number:
     + Neg<Output = Self>
     + AddAssign
     + SubAssign
+    + Send
+    + Sync
 {
     /// A time and a code in one, ordered by time and then by code.
-    type Event: Copy + Debug + Ord;
+    type Event: Copy + Debug + Ord + Send;
     /// The bits of a node that are no numbers.
-    type State: Copy + Debug + Into<u64>;
+    type State: Copy + Debug + Into<u64> + Send + Sync;
 
     /// 0.
     const ZERO: Self;

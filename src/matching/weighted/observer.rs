@@ -40,4 +40,9 @@ impl<'a> Observer<'a> {
         self.searches += 1;
         self.searches % RARELY == 1 && (self.hook)(News { stage, roots }).is_break()
     }
+
+    /// Passes news on; returns whether the run is to stop.
+    pub(super) fn stops_now(&mut self, stage: Stage, roots: usize) -> bool {
+        (self.hook)(News { stage, roots }).is_break()
+    }
 }

@@ -6,13 +6,16 @@ use std::ops::ControlFlow;
 use super::barrier::Barrier;
 use super::blossoms::{Outcome, Trees};
 use super::certificate::Certificate;
-use super::cubic::Cubic;
+use super::cubic::Rows;
 use super::half::half_integral;
 use super::limits::Limits;
 use super::nodes::Nodes;
+use super::number::Number;
 use super::observer::{News, Observer};
+use super::parts::{has_parts, run_in_parts};
 use super::problem::{CubicProblem, Mates, Problem};
 use super::refusal::Refusal;
+use super::roots::Roots;
 use super::sparse::Sparse;
 use super::start::start;
 use super::work::Work;
@@ -107,12 +110,12 @@ pub(super) fn cubic_solution(
     limits: Limits,
     observer: &mut Observer,
 ) -> Result<Solution, SolveError> {
-    let mut outcome = run(Cubic::<Wrapping<i32>>::new(problem), limits, observer);
+    let mut outcome = run_narrow(Rows::new(problem), limits, observer);
     if is_too_narrow(&outcome) {
-        outcome = run(Cubic::<Wrapping<i64>>::new(problem), limits, observer);
+        outcome = run_whole(Rows::<Wrapping<i64>>::new(problem), limits, observer);
     }
     if is_too_narrow(&outcome) {
-        outcome = run(Cubic::<Wrapping<i128>>::new(problem), limits, observer);
+        outcome = run_whole(Rows::<Wrapping<i128>>::new(problem), limits, observer);
     }
     outcome.map(solution).map_err(error)
 }
@@ -149,18 +152,44 @@ fn error(refusal: Refusal) -> SolveError {
     }
 }
 
+/// Runs all phases, in parts if the graph is large.
+fn run_narrow(
+    rows: Result<Rows<Wrapping<i32>>, Refusal>,
+    limits: Limits,
+    observer: &mut Observer,
+) -> Result<Outcome, Refusal> {
+    let mut rows = rows?;
+    if has_parts(&mut rows, limits) {
+        run_in_parts(rows, limits, observer)
+    } else {
+        run_whole(Ok(rows), limits, observer)
+    }
+}
+
+/// Runs all phases with all nodes in view.
+fn run_whole<N: Number>(
+    rows: Result<Rows<N>, Refusal>,
+    limits: Limits,
+    observer: &mut Observer,
+) -> Result<Outcome, Refusal> {
+    run(Ok(rows?.whole()), limits, observer)
+}
+
 /// Runs all phases.
 fn run<S: Nodes>(
     nodes: Result<S, Refusal>,
     limits: Limits,
     observer: &mut Observer,
 ) -> Result<Outcome, Refusal> {
-    let mut work = Work { bits: 8 * size_of::<S::N>() as u32, ..Work::default() };
+    let mut work = Work::of::<S::N>();
     let mut nodes = nodes?;
-    let free = start(&mut nodes);
-    let roots = half_integral(&mut nodes, free, limits, &mut work, observer)?;
+    let (free, _) = start(&mut nodes);
+    work.free_after_start = free.len() as u64;
+    let roots =
+        half_integral(&mut nodes, Roots::new(free), Vec::new(), limits, &mut work, observer)?;
+    work.blossom_roots = roots.len() as u64;
     let mut trees = Trees::new(nodes, work);
-    trees.pair_all(roots, limits, observer)?;
+    trees.pair_all(Roots::new(roots), 0, limits, observer)?;
     trees.finish()
 }
 

@@ -109,6 +109,12 @@ impl<N: Number> Nodes for Sparse<N> {
     fn len(&self) -> u32 {
         self.rows.len() as u32
     }
+    fn range(&self) -> std::ops::Range<u32> {
+        0..self.len()
+    }
+    fn is_on_border(&self, _: u32) -> bool {
+        false
+    }
     fn codes(&self) -> u32 {
         self.half_edges.len() as u32
     }

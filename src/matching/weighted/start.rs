@@ -4,18 +4,23 @@ use super::nodes::{NONE, Nodes};
 use super::number::Number;
 
 /// Sets feasible potentials, raises each free node's as far as that goes, and pairs it along an
-/// edge that thereby becomes tight. Returns the nodes that stay free. O(n).
-pub(super) fn start<S: Nodes>(nodes: &mut S) -> Vec<u32> {
-    for node in 0..nodes.len() {
+/// edge that thereby becomes tight. O(nodes in range).
+///
+/// Returns the nodes that stay free, and those on the border, which [`raise_each`] is for.
+pub(super) fn start<S: Nodes>(nodes: &mut S) -> (Vec<u32>, Vec<u32>) {
+    for node in nodes.range() {
         let costs = nodes.sides(node).filter(|&side| nodes.twin(side) != NONE);
         let halves = costs.map(|side| nodes.cost(side).half());
         if let Some(least) = halves.chain(nodes.price(node)).min() {
             nodes.add_potential(node, least);
         }
     }
+    let mut border = Vec::new();
     let mut free = Vec::new();
-    for node in 0..nodes.len() {
-        if nodes.mate(node) == NONE {
+    for node in nodes.range() {
+        if nodes.is_on_border(node) {
+            border.push(node);
+        } else if nodes.mate(node) == NONE {
             raise(nodes, node);
             if nodes.mate(node) == NONE {
                 free.push(node);
@@ -23,7 +28,20 @@ pub(super) fn start<S: Nodes>(nodes: &mut S) -> Vec<u32> {
         }
     }
     free.retain(|&node| nodes.mate(node) == NONE);
-    free
+    (free, border)
+}
+
+/// Raises the potentials of those `border` nodes that are free, and adds the ones that stay so to
+/// the `free` nodes. Those come in order.
+pub(super) fn raise_each<S: Nodes>(nodes: &mut S, border: Vec<u32>, free: &mut Vec<u32>) {
+    for node in border {
+        if nodes.mate(node) == NONE {
+            raise(nodes, node);
+            free.push(node);
+        }
+    }
+    free.retain(|&node| nodes.mate(node) == NONE);
+    free.sort_unstable();
 }
 
 /// Raises the potential of a free node; pairs it with a free node if it can.

@@ -22,3 +22,22 @@ pub struct Work {
     /// Bits of the numbers that sufficed.
     pub bits: u32,
 }
+
+impl Work {
+    /// Makes the counts of a run with these numbers that has not begun.
+    pub(super) fn of<N>() -> Self {
+        Self { bits: 8 * size_of::<N>() as u32, ..Self::default() }
+    }
+
+    /// Adds the counts of a part of the run.
+    pub(super) fn add(&mut self, part: Self) {
+        self.free_after_start += part.free_after_start;
+        self.visits += part.visits;
+        self.half_searches += part.half_searches;
+        self.forest_roots += part.forest_roots;
+        self.blossom_roots += part.blossom_roots;
+        self.blossom_searches += part.blossom_searches;
+        self.scans += part.scans;
+        self.clock_ticks += part.clock_ticks;
+    }
+}

@@ -47,8 +47,77 @@ impl ClaimKind {
 pub enum Need {
     /// Sizes: the scale must be `full`.
     PaperSize,
-    /// The mesh itself: no stand-ins.
-    PaperMesh,
+}
+
+/// Where the limits of a test come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LimitOrigin {
+    /// Printed as a limit, in the text or in a definition.
+    Paper,
+    /// Printed, with half a unit of its last digit.
+    Rounding,
+    /// The words of the claim: faster, more, grows.
+    Definition,
+    /// A round factor of ours, the same for all claims of its sort.
+    Convention,
+    /// The strictest round limit that the paper's own numbers pass.
+    Fitted,
+}
+
+impl LimitOrigin {
+    /// Returns the name in the file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::Rounding => "rounding",
+            Self::Definition => "definition",
+            Self::Convention => "convention",
+            Self::Fitted => "fitted",
+        }
+    }
+}
+
+/// What a difference is due to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Cause {
+    /// The mesh is not the paper's of that name.
+    Mesh,
+    /// The meshes were simplified by another program.
+    Simplifier,
+    /// The mesh has the counts of the paper's scan, not its shape.
+    StandIn,
+    /// The claim is about an implementation, and ours is another.
+    Implementation,
+    /// The claim is about a machine.
+    Machine,
+    /// Nobody knows yet.
+    Unknown,
+}
+
+impl Cause {
+    /// All of them, in the order of the page.
+    pub const ALL: [Self; 6] = [
+        Self::Mesh,
+        Self::Simplifier,
+        Self::StandIn,
+        Self::Implementation,
+        Self::Machine,
+        Self::Unknown,
+    ];
+
+    /// Returns the name in the file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Mesh => "mesh",
+            Self::Simplifier => "simplifier",
+            Self::StandIn => "stand-in",
+            Self::Implementation => "implementation",
+            Self::Machine => "machine",
+            Self::Unknown => "unknown",
+        }
+    }
 }
 
 /// A claim that a paper makes, with the test of it.
@@ -65,18 +134,32 @@ pub struct Claim {
     pub kind: ClaimKind,
     /// The paper, whose experiment has the records.
     pub experiment: Paper,
-    /// Groups of the experiment, or names of meshes.
+    /// Groups of the paper, or names of meshes.
     pub meshes: Vec<String>,
+    /// Whether it stands for a claim about every mesh; `{mesh}` is its name then.
+    #[serde(default)]
+    pub each: bool,
     /// The number that is tested on each mesh.
     pub value: Expression,
     /// The test.
     pub predicate: Predicate,
+    /// Where the limits of the test come from.
+    pub limit: LimitOrigin,
     /// The paper's numbers as it prints them, where they are not in its tables.
     #[serde(default)]
     pub paper: String,
     /// What must be the paper's own.
     #[serde(default)]
     pub needs: Vec<Need>,
+    /// The theorem or definition from which it follows.
+    #[serde(default)]
+    pub by_construction: Option<String>,
+    /// What a difference is due to.
+    #[serde(default)]
+    pub cause: Option<Cause>,
+    /// What speaks for this cause.
+    #[serde(default)]
+    pub evidence: String,
     /// How the paper contradicts the claim itself.
     #[serde(default)]
     pub inconsistent: Option<String>,
@@ -102,10 +185,25 @@ pub fn all() -> Vec<Claim> {
 /// # Errors
 /// It is not TOML, or has a field that no claim has.
 pub fn parse(text: &str) -> Result<Vec<Claim>, toml::de::Error> {
-    toml::from_str::<ClaimsFile>(text).map(|file| file.claim)
+    let claims = toml::from_str::<ClaimsFile>(text)?.claim;
+    Ok(claims.into_iter().flat_map(Claim::one_by_one).collect())
 }
 
 impl Claim {
+    /// Returns a claim for each mesh if that is meant, else the claim as it is.
+    fn one_by_one(self) -> Vec<Self> {
+        if !self.each {
+            return vec![self];
+        }
+        let one = |mesh: String| Self {
+            id: format!("{}-{mesh}", self.id),
+            statement: self.statement.replace("{mesh}", mesh.trim_start_matches("ir-")),
+            meshes: vec![mesh],
+            ..self.clone()
+        };
+        self.mesh_names().into_iter().map(one).collect()
+    }
+
     /// Returns whether it is about times, so that runs must not have disturbed each other.
     pub fn is_about_times(&self) -> bool {
         let along = self.predicate.along();

@@ -39,7 +39,7 @@ macro_rules! time {
 }
 
 /// All of them.
-static NUMBERS: [Number; 17] = [
+static NUMBERS: [Number; 18] = [
     count!(vertices),
     count!(edges),
     count!(triangles),
@@ -57,6 +57,7 @@ static NUMBERS: [Number; 17] = [
     count!(link_condition_tests),
     count!(edges_tested_more_than_once),
     count!(result_vertices),
+    count!(peak_memory_bytes),
     time!(pairing_seconds, |run| run.measured.pairing_seconds),
     time!(augmentation_seconds, RunRecord::whole_augmentation_seconds),
     time!(total_seconds, RunRecord::whole_total_seconds),

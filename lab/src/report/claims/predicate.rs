@@ -122,8 +122,6 @@ pub struct Finding {
     pub found: String,
     /// Meshes on which it does not hold, where each is tested for itself.
     pub broken_on: Vec<String>,
-    /// Those among them where it holds at an end of the interval: within the noise.
-    pub undecided_on: Vec<String>,
 }
 
 impl Predicate {
@@ -135,6 +133,64 @@ impl Predicate {
             | Self::Scaled { along } => Some(along),
             _ => None,
         }
+    }
+
+    /// Returns the test with limits that are `slack` times as far away; `None` if it has no limit
+    /// that could move.
+    ///
+    /// Factors f become 1 + (f - 1) `slack`, intervals grow about their middle, shares of pairs come
+    /// closer to or go farther from all. A lone limit moves by a fifth of itself a unit of slack.
+    pub fn with_slack(&self, slack: f64) -> Option<Self> {
+        let wider = |factor: f64| 1.0 + (factor - 1.0) * slack;
+        let about_middle = |low: f64, high: f64| {
+            let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0 * slack);
+            (middle - half, middle + half)
+        };
+        let lone = 0.2 * (slack - 1.0);
+        let mut test = self.clone();
+        match &mut test {
+            Self::Range { low: Some(low), high: Some(high) } if *low < *high => {
+                (*low, *high) = about_middle(*low, *high);
+            }
+            Self::Range { low: Some(low), high: None } => *low *= 1.0 - lone,
+            Self::Range { low: None, high: Some(high) } => *high *= 1.0 + lone,
+            Self::AsPrinted { tolerance: factor, .. } if *factor > 1.0 => *factor = wider(*factor),
+            Self::Constant { factor } | Self::ProductLaw { factor, .. } => *factor = wider(*factor),
+            Self::Exponent { low, high, .. } => (*low, *high) = about_middle(*low, *high),
+            Self::Monotone { share, .. } if *share < 1.0 => {
+                *share = (1.0 - (1.0 - *share) * slack).clamp(0.5, 1.0);
+            }
+            Self::Monotone { share, .. } => *share = (1.0 - lone.max(0.0)).max(0.5),
+            _ => return None,
+        }
+        Some(test)
+    }
+
+    /// Returns the limits in words.
+    pub fn limits(&self) -> String {
+        let bound = |name: &str, bound: &Option<f64>| {
+            bound.map(|bound| format!("{name} {}", significant(bound)))
+        };
+        match self {
+            Self::Range { low, high } => {
+                let bounds = [bound("at least", low), bound("at most", high)];
+                bounds.into_iter().flatten().collect::<Vec<_>>().join(", ")
+            }
+            Self::AsPrinted { tolerance, .. } => format!("within a factor of {tolerance}"),
+            Self::Constant { factor } | Self::ProductLaw { factor, .. } => {
+                format!("constant within a factor of {factor}")
+            }
+            Self::Exponent { low, high, .. } => format!("exponent from {low} to {high}"),
+            Self::Monotone { share, .. } => {
+                format!("in {} % of the pairs", significant(100.0 * share))
+            }
+            _ => "none".into(),
+        }
+    }
+
+    /// Returns whether it tests nothing.
+    pub fn is_not_tested(&self) -> bool {
+        matches!(self, Self::Scaled { .. })
     }
 
     /// Returns whether it has the printed numbers itself.
@@ -157,23 +213,14 @@ impl Predicate {
     }
 
     fn pointwise(&self, points: &[MeshNumber], printed: &[MeshNumber]) -> Finding {
-        let names =
-            |points: Vec<&MeshNumber>| points.iter().map(|point| point.mesh.clone()).collect();
-        let holds_at = |point: &MeshNumber, value| self.holds_at(point, value, printed);
-        let broken = points.iter().filter(|point| !holds_at(point, point.value));
-        let undecided = broken.clone().filter(|point| {
-            let interval = point.interval.filter(|(low, high)| low < high);
-            interval.is_some_and(|(low, high)| holds_at(point, low) || holds_at(point, high))
-        });
-        Finding {
-            holds: broken.clone().next().is_none(),
-            found: range_of(points),
-            undecided_on: names(undecided.collect()),
-            broken_on: names(broken.collect()),
-        }
+        let holds_at = |point: &&MeshNumber| self.holds_at(point, printed);
+        let broken = points.iter().filter(|point| !holds_at(point));
+        let broken_on: Vec<String> = broken.map(|point| point.mesh.clone()).collect();
+        Finding { holds: broken_on.is_empty(), found: range_of(points), broken_on }
     }
 
-    fn holds_at(&self, point: &MeshNumber, value: f64, printed: &[MeshNumber]) -> bool {
+    fn holds_at(&self, point: &MeshNumber, printed: &[MeshNumber]) -> bool {
+        let value = point.value;
         match self {
             Self::Range { low, high } => {
                 low.is_none_or(|low| value >= low) && high.is_none_or(|high| value <= high)
@@ -216,7 +263,7 @@ fn extremes(points: &[MeshNumber]) -> (f64, f64) {
 }
 
 fn whole(holds: bool, found: String) -> Finding {
-    Finding { holds, found, broken_on: Vec::new(), undecided_on: Vec::new() }
+    Finding { holds, found, broken_on: Vec::new() }
 }
 
 fn monotone(points: &[MeshNumber], direction: Direction, share: f64) -> Finding {

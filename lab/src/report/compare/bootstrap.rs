@@ -15,34 +15,55 @@ pub fn product(factors: &[(&Factor, Sample)]) -> f64 {
     factors.iter().fold(1.0, |product, (factor, sample)| factor.apply(product, mean(sample)))
 }
 
-/// Returns 95 % of 1000 resamples of the product of means (percentile bootstrap); `None` where
-/// nothing was repeated. Factors with the same repetitions are drawn together, so that what
-/// disturbed a repetition disturbs both. O(1000 · runs).
-pub fn interval(factors: &[(&Factor, Sample)], mut random: Random) -> Option<(f64, f64)> {
-    if factors.iter().all(|(_, sample)| sample.len() < 2) {
-        return None;
+/// A number on a mesh, resampled: the value, and what it is drawn against.
+pub type Draw = [f64; 2];
+
+/// Draws 1000 resamples of two products of means: the number on a mesh, and what it is drawn
+/// against. Empty where nothing was repeated, or all repetitions are equal.
+///
+/// Factors with the same repetitions are drawn together, so that what disturbed a repetition
+/// disturbs all of them. O(1000 · runs).
+pub fn draws(
+    value: &[(&Factor, Sample)],
+    along: &[(&Factor, Sample)],
+    mut random: Random,
+) -> Vec<Draw> {
+    let all: Vec<(&Factor, &Sample)> =
+        value.iter().chain(along).map(|(factor, sample)| (*factor, sample)).collect();
+    let varies = |sample: &Sample| sample.iter().any(|run| run.1 != sample[0].1);
+    if !all.iter().any(|(_, sample)| varies(sample)) {
+        return Vec::new();
     }
-    let mut products: Vec<f64> = (0..RESAMPLES)
+    let product = |factors: &[(&Factor, &Sample)], means: &[f64]| {
+        let both = factors.iter().zip(means);
+        both.fold(1.0, |product, ((factor, _), &mean)| factor.apply(product, mean))
+    };
+    let (values, alongs) = all.split_at(value.len());
+    (0..RESAMPLES)
         .map(|_| {
-            let drawn = resample(factors, &mut random);
-            factors
-                .iter()
-                .zip(drawn)
-                .fold(1.0, |product, ((factor, _), mean)| factor.apply(product, mean))
+            let means = resample(&all, &mut random);
+            let (of_value, of_along) = means.split_at(value.len());
+            [product(values, of_value), product(alongs, of_along)]
         })
-        .collect();
-    products.sort_by(f64::total_cmp);
-    Some((products[RESAMPLES / 40], products[RESAMPLES - 1 - RESAMPLES / 40]))
+        .collect()
+}
+
+/// Returns 95 % of the drawn values (percentile bootstrap); `None` if there are none.
+pub fn interval(draws: &[Draw]) -> Option<(f64, f64)> {
+    let mut values: Vec<f64> = draws.iter().map(|draw| draw[0]).collect();
+    values.sort_by(f64::total_cmp);
+    let tail = values.len() / 40;
+    (!values.is_empty()).then(|| (values[tail], values[values.len() - 1 - tail]))
 }
 
 /// Returns the mean of each factor over runs drawn with replacement.
-fn resample(factors: &[(&Factor, Sample)], random: &mut Random) -> Vec<f64> {
+fn resample(factors: &[(&Factor, &Sample)], random: &mut Random) -> Vec<f64> {
     let mut means = vec![None; factors.len()];
     for first in 0..factors.len() {
         if means[first].is_some() {
             continue;
         }
-        let sample = &factors[first].1;
+        let sample = factors[first].1;
         let runs = sample.len() as u32;
         let draws: Vec<usize> = (0..runs).map(|_| random.below(runs) as usize).collect();
         for (mean, (_, other)) in means.iter_mut().zip(factors).skip(first) {
@@ -78,12 +99,12 @@ mod tests {
         let [top, bottom] = &ratio.factors[..] else { unreachable!() };
         let values = [1.0, 2.0, 5.0, 9.0];
         let paired = [(top, sample(&values.map(|v| 3.0 * v))), (bottom, sample(&values))];
-        let (low, high) = interval(&paired, stream()).unwrap();
+        let (low, high) = interval(&draws(&paired, &[], stream())).unwrap();
         assert!((low - 3.0).abs() < 1e-12 && (high - 3.0).abs() < 1e-12, "{low} {high}");
         // Of other repetitions they are independent.
         let shifted = sample(&values).into_iter().map(|(i, v)| (i + 1, v)).collect();
         let apart = [(top, sample(&values.map(|v| 3.0 * v))), (bottom, shifted)];
-        let (low, high) = interval(&apart, stream()).unwrap();
+        let (low, high) = interval(&draws(&apart, &[], stream())).unwrap();
         assert!(low < 1.5 && high > 6.0, "{low} {high}");
         assert!((product(&apart) - 3.0).abs() < 1e-12);
     }
@@ -92,7 +113,8 @@ mod tests {
     fn the_interval_of_a_mean_is_that_of_the_textbook() {
         let mean = Expression::try_from("ps.total_seconds".to_owned()).unwrap();
         let values: Vec<f64> = (0..400).map(f64::from).collect();
-        let (low, high) = interval(&[(&mean.factors[0], sample(&values))], stream()).unwrap();
+        let found = draws(&[(&mean.factors[0], sample(&values))], &[], stream());
+        let (low, high) = interval(&found).unwrap();
         // Standard error 115.5 / 20; 1.96 of it either way.
         assert!(
             (low - (199.5 - 11.3)).abs() < 1.5 && (high - (199.5 + 11.3)).abs() < 1.5,
@@ -103,6 +125,7 @@ mod tests {
     #[test]
     fn what_was_not_repeated_has_no_interval() {
         let mean = Expression::try_from("ps.total_seconds".to_owned()).unwrap();
-        assert_eq!(interval(&[(&mean.factors[0], sample(&[1.0]))], stream()), None);
+        let found = draws(&[(&mean.factors[0], sample(&[1.0]))], &[], stream());
+        assert_eq!(interval(&found), None);
     }
 }

@@ -1,10 +1,9 @@
 //! A claim's number on every mesh, from records.
 
-use super::bootstrap::{self, Sample};
+use super::bootstrap::{self, Draw, Sample};
 use crate::experiment::{Job, Measured};
 use crate::meshes::MeshKind;
-use crate::report::claims::{Claim, Expression, Factor, MeshNumber, Need};
-use crate::report::number::significant;
+use crate::report::claims::{Claim, Expression, Factor, MeshNumber};
 use crate::report::summary::{Cell, Summary};
 use triquad::random::Random;
 
@@ -16,6 +15,10 @@ const SHORTEST: f64 = 1e-4;
 pub struct Evidence {
     /// The numbers, in the order of the meshes.
     pub points: Vec<MeshNumber>,
+    /// Resamples of each; none where nothing was repeated.
+    pub draws: Vec<Vec<Draw>>,
+    /// The meshes among them that are stand-ins.
+    pub stand_ins: Vec<String>,
     /// What is special about some of them.
     pub remarks: Vec<(String, String)>,
     /// The other meshes, with the reason.
@@ -27,8 +30,6 @@ pub struct Evidence {
 enum NoNumberError {
     #[error("divided by 0")]
     DividedByZero,
-    #[error("{}, but a stand-in, not the paper's mesh", significant(*.0))]
-    StandIn(f64),
     #[error("not run")]
     NotRun,
     #[error("{0} not planned")]
@@ -47,8 +48,11 @@ pub fn evidence(claim: &Claim, summary: &Summary) -> Evidence {
     for mesh in claim.mesh_names() {
         let view = ClaimOnMesh { summary, claim, mesh: &mesh };
         match view.point() {
-            Ok(point) => {
+            Ok((point, draws)) => {
                 evidence.points.push(point);
+                evidence.draws.push(draws);
+                let is_stand_in = view.cells().any(Cell::is_stand_in);
+                evidence.stand_ins.extend(is_stand_in.then(|| mesh.clone()));
                 evidence.remarks.extend(view.remark().map(|remark| (mesh.clone(), remark)));
             }
             Err(why) => evidence.missing.push((mesh.clone(), why.to_string())),
@@ -65,29 +69,28 @@ struct ClaimOnMesh<'a> {
 }
 
 impl<'a> ClaimOnMesh<'a> {
-    /// Returns the number, or why there is none.
-    fn point(&self) -> Result<MeshNumber, NoNumberError> {
+    /// Returns the number and its resamples, or why there is none.
+    fn point(&self) -> Result<(MeshNumber, Vec<Draw>), NoNumberError> {
         let samples = self.samples(&self.claim.value)?;
         let along = match self.claim.predicate.along() {
-            Some(along) => bootstrap::product(&self.samples(along)?),
-            None => 0.0,
+            Some(along) => self.samples(along)?,
+            None => Vec::new(),
         };
         let random = Random::stream(0, &["bootstrap", &self.claim.id, self.mesh]);
         let value = bootstrap::product(&samples);
         if !value.is_finite() {
             return Err(NoNumberError::DividedByZero);
         }
-        if self.claim.needs.contains(&Need::PaperMesh) && self.cells().any(Cell::is_stand_in) {
-            return Err(NoNumberError::StandIn(value));
-        }
-        Ok(MeshNumber {
+        let draws = bootstrap::draws(&samples, &along, random);
+        let point = MeshNumber {
             mesh: self.mesh.to_owned(),
             value,
-            interval: bootstrap::interval(&samples, random),
-            along,
+            interval: bootstrap::interval(&draws),
+            along: if along.is_empty() { 0.0 } else { bootstrap::product(&along) },
             triangles: self.of_mesh(|measured| measured.triangles),
             genus: self.of_mesh(|measured| measured.genus),
-        })
+        };
+        Ok((point, draws))
     }
 
     fn samples<'e>(

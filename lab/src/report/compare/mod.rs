@@ -4,45 +4,23 @@
 //! be judged is not comparable, with the reason; nothing is left out.
 
 mod bootstrap;
+mod decision;
 mod evidence;
 mod printed;
+mod tolerances;
 
 use evidence::Evidence;
 use printed::Printed;
 
-use super::claims::{self, Claim, ClaimKind, Finding, MeshNumber, Need};
+pub use decision::Verdict;
+pub use tolerances::{ToleranceRow, tolerances, tolerances_csv};
+
+use decision::{Decision, decide};
+
+use super::claims::{self, Cause, Claim, ClaimKind, Finding, LimitOrigin, MeshNumber};
 use super::number::significant;
 use super::summary::Summary;
 use crate::csv_text;
-
-/// What became of a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// It holds of our records.
-    Reproduced,
-    /// It does not hold of our records.
-    Differs,
-    /// Our records do not decide it.
-    NotComparable,
-    /// The paper's own numbers contradict it.
-    PaperInconsistent,
-}
-
-impl Verdict {
-    /// All of them, in the order in which they are counted.
-    pub const ALL: [Self; 4] =
-        [Self::Reproduced, Self::Differs, Self::NotComparable, Self::PaperInconsistent];
-
-    /// Returns the verdict in words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Reproduced => "reproduced",
-            Self::Differs => "differs",
-            Self::NotComparable => "not comparable",
-            Self::PaperInconsistent => "paper inconsistent",
-        }
-    }
-}
 
 /// A claim with its verdict.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +41,10 @@ pub struct Judged {
     pub paper: String,
     /// Why the verdict is what it is.
     pub reason: String,
+    /// What a difference is due to, and what speaks for that; of claims that differ only.
+    pub cause: Option<(Cause, String)>,
+    /// Where the limits of the test come from.
+    pub limit: LimitOrigin,
     /// Our number on every mesh, and the meshes without.
     pub by_mesh: String,
 }
@@ -82,11 +64,40 @@ impl Comparison {
 
     /// Returns the verdicts as comma-separated values.
     pub fn csv(&self) -> String {
-        let header = ["id", "verdict", "kind", "statement", "source", "ours", "paper", "detail"];
+        let header = [
+            "id",
+            "verdict",
+            "kind",
+            "statement",
+            "source",
+            "ours",
+            "paper",
+            "detail",
+            "cause",
+            "evidence",
+            "limit_from",
+        ];
         let row = |judged: &Judged| {
-            let Judged { id, statement, source, kind, verdict, ours, paper, .. } = judged;
-            let row = [id, verdict.name(), kind.name(), statement, source, ours, paper];
-            row.map(str::to_owned).into_iter().chain([judged.detail()]).collect::<Vec<_>>()
+            let Judged { id, statement, source, kind, verdict, ours, paper, limit, .. } = judged;
+            let detail = judged.detail();
+            let (cause, evidence) = match &judged.cause {
+                Some((cause, evidence)) => (cause.name(), evidence.as_str()),
+                None => ("", ""),
+            };
+            let row = [
+                id,
+                verdict.name(),
+                kind.name(),
+                statement,
+                source,
+                ours,
+                paper,
+                &detail,
+                cause,
+                evidence,
+                limit.name(),
+            ];
+            row.map(str::to_owned).to_vec()
         };
         let header = header.map(str::to_owned).to_vec();
         csv_text::of_texts(std::iter::once(header).chain(self.verdicts.iter().map(row)))
@@ -101,7 +112,8 @@ impl Judged {
     }
 }
 
-/// Judges every claim of `experiments/claims.toml`. O(claims · meshes · (cells + repetitions)).
+/// Judges every claim of `experiments/claims.toml`. O(claims · meshes · (cells + repetitions)), and
+/// 1000 resamples.
 pub fn judge(summary: &Summary) -> Comparison {
     judge_claims(&claims::all(), summary)
 }
@@ -116,7 +128,8 @@ pub fn judge_claims(claims: &[Claim], summary: &Summary) -> Comparison {
 fn judge_one(claim: &Claim, printed: &[MeshNumber], summary: &Summary) -> Judged {
     let ours = evidence::evidence(claim, summary);
     let test = (!ours.points.is_empty()).then(|| claim.predicate.test(&ours.points, printed));
-    let (verdict, reason) = verdict(claim, summary, &ours, test.as_ref());
+    let Decision { verdict, reason } = decide(claim, summary, &ours, printed);
+    let cause = (verdict == Verdict::Differs).then(|| decision::cause(claim, &ours, test.as_ref()));
     Judged {
         id: claim.id.clone(),
         statement: claim.statement.clone(),
@@ -127,6 +140,8 @@ fn judge_one(claim: &Claim, printed: &[MeshNumber], summary: &Summary) -> Judged
         paper: paper_text(claim, printed),
         by_mesh: by_mesh(&ours, test.as_ref()),
         reason,
+        cause,
+        limit: claim.limit,
     }
 }
 
@@ -135,73 +150,6 @@ pub fn holds_of_the_paper(claim: &Claim) -> Option<bool> {
     let printed = Printed::new().evidence(claim);
     let complete = printed.len() == claim.mesh_names().len();
     complete.then(|| claim.predicate.test(&printed, &printed).holds)
-}
-
-/// Returns the verdict and its reason.
-fn verdict(
-    claim: &Claim,
-    summary: &Summary,
-    ours: &Evidence,
-    test: Option<&Finding>,
-) -> (Verdict, String) {
-    if let Some(reason) = &claim.inconsistent {
-        let holds = match test {
-            Some(test) if ours.missing.is_empty() => {
-                if test.holds {
-                    "; of our records it holds"
-                } else {
-                    "; of our records it does not hold"
-                }
-            }
-            _ => "",
-        };
-        return (Verdict::PaperInconsistent, format!("{reason}{holds}"));
-    }
-    if let Some(reason) = hindrance(claim, summary) {
-        return (Verdict::NotComparable, reason);
-    }
-    match test {
-        None => (Verdict::NotComparable, "no mesh can be judged".into()),
-        Some(test) => judge_test(claim, ours, test),
-    }
-}
-
-/// Returns the verdict of a test whose numbers can be judged.
-fn judge_test(claim: &Claim, ours: &Evidence, test: &Finding) -> (Verdict, String) {
-    let refuted: Vec<&str> = test
-        .broken_on
-        .iter()
-        .filter(|mesh| !test.undecided_on.contains(mesh))
-        .map(String::as_str)
-        .collect();
-    if !refuted.is_empty() {
-        (Verdict::Differs, format!("does not hold on {}", refuted.join(", ")))
-    } else if !ours.missing.is_empty() {
-        let (judged, all) = (ours.points.len(), claim.mesh_names().len());
-        (Verdict::NotComparable, format!("only {judged} of {all} meshes"))
-    } else if test.holds {
-        (Verdict::Reproduced, "holds".into())
-    } else if test.undecided_on.is_empty() {
-        (Verdict::Differs, "does not hold".into())
-    } else {
-        let undecided = test.undecided_on.join(", ");
-        (Verdict::NotComparable, format!("undecided within the noise on {undecided}"))
-    }
-}
-
-/// Returns what keeps a claim from being judged, whatever its numbers.
-fn hindrance(claim: &Claim, summary: &Summary) -> Option<String> {
-    let first = summary.of_paper(claim.experiment).next();
-    if claim.kind == ClaimKind::Seconds {
-        Some("seconds of another machine and compiler; an estimate, not a test".into())
-    } else if claim.is_about_times() && summary.is_parallel() {
-        Some("the runs went on beside others on the same machine, so that times say little".into())
-    } else if claim.needs.contains(&Need::PaperSize) {
-        let smaller = first.filter(|cell| !cell.is_full_scale())?.id.mesh.scale.id();
-        Some(format!("depends on sizes, and the meshes of scale {smaller} are smaller"))
-    } else {
-        None
-    }
 }
 
 fn paper_text(claim: &Claim, printed: &[MeshNumber]) -> String {

@@ -26,9 +26,9 @@ pub fn limits(summary: &Summary) -> Vec<String> {
          and ratios of times within one machine.",
         "DS follows the idea of Diks and Stanczyk; their full text was not at hand.",
         "The box has the papers' numbers of vertices, cavities and holes; its proportions, and the \
-         simplification that makes smaller ones, are ours.",
+         simplification that makes smaller ones, are ours: counts hinge on both.",
         "A difference between two means is as certain as the spread of their runs is small: the \
-         files have medians and quartiles.",
+         tables have quartiles, the verdicts a bootstrap.",
     ];
     let notes = Note::on(summary.cells().iter());
     let shared = notes.iter().filter(|note| !matches!(note, Note::Scale(_) | Note::Incomplete));

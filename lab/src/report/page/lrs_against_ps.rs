@@ -21,6 +21,13 @@ pub struct LrsAgainstPs<'a> {
     plots: Vec<&'a Plot>,
 }
 
+impl LrsAgainstPs<'_> {
+    /// Returns the answer in a sentence or two.
+    pub fn answer(&self) -> &str {
+        &self.answer
+    }
+}
+
 /// PS and LRS on a mesh, as the page shows them.
 #[derive(Serialize)]
 struct DuelRow {
@@ -66,9 +73,7 @@ pub fn section<'a>(parts: &Parts<'a>) -> LrsAgainstPs<'a> {
 /// Returns every mesh with PS and LRS under some augmentation.
 fn duels(summary: &Summary) -> Vec<Duel<'_>> {
     let mut meshes: Vec<&Cell> = summary.of_paper(Paper::Comparison).collect();
-    meshes.dedup_by(|a, b| {
-        (&a.id.mesh.name, &a.id.mesh.group) == (&b.id.mesh.name, &b.id.mesh.group)
-    });
+    meshes.dedup_by(|a, b| (&a.id.mesh.name, a.group) == (&b.id.mesh.name, b.group));
     let duels = meshes.into_iter().map(|mesh| {
         let pair = |augmentation: Augmentation| {
             let total = |algorithm| {
@@ -121,7 +126,7 @@ fn lines(both: &[&Duel], summary: &Summary) -> Vec<String> {
         ("B", "Boxes of great genus"),
         ("data", "Other scans"),
     ] {
-        let in_group = |duel: &&&Duel| duel.mesh.id.mesh.group == group;
+        let in_group = |duel: &&&Duel| duel.mesh.group == group;
         let own: Vec<&Duel> = both.iter().filter(in_group).copied().collect();
         if own.is_empty() {
             continue;

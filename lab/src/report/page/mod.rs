@@ -3,6 +3,8 @@
 //!
 //! The content is decided here, its look in the templates and the style sheet beside this file.
 
+mod definitions;
+mod findings;
 mod limits;
 mod lrs_against_ps;
 mod paper_sections;
@@ -26,7 +28,11 @@ struct Page<'a> {
     style: &'static str,
     records: usize,
     warnings: Vec<String>,
+    findings: Vec<findings::Finding>,
+    definitions: Vec<definitions::Definition>,
     verdicts: Vec<verdicts::VerdictGroup<'a>>,
+    tolerances: Vec<verdicts::ToleranceView<'a>>,
+    tested: usize,
     lrs_against_ps: lrs_against_ps::LrsAgainstPs<'a>,
     papers: Vec<paper_sections::PaperSection<'a>>,
     other_plots: Vec<&'a Plot>,
@@ -44,12 +50,17 @@ pub fn render(parts: &Parts) -> String {
     if parts.pictures.is_empty() {
         defects.push("pictures/: no picture is there".into());
     }
+    let lrs_against_ps = lrs_against_ps::section(parts);
     let page = Page {
         style: include_str!("style.css"),
         records: parts.results.records.len(),
         warnings: limits::warnings(parts, &defects),
-        verdicts: verdicts::groups(parts.comparison),
-        lrs_against_ps: lrs_against_ps::section(parts),
+        findings: findings::findings(parts, &lrs_against_ps),
+        definitions: definitions::definitions(parts.summary),
+        verdicts: verdicts::groups(parts),
+        tolerances: verdicts::tolerances(parts),
+        tested: parts.tolerances.len(),
+        lrs_against_ps,
         papers: paper_sections::papers(parts),
         other_plots: paper_sections::other_plots(parts),
         other_pictures: paper_sections::other_pictures(parts),

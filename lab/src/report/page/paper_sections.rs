@@ -15,7 +15,7 @@ use crate::report::plots::{Counterpart, Plot};
 pub struct PaperSection<'a> {
     id: &'static str,
     name: &'static str,
-    citation: &'static str,
+    citations: &'static [&'static str],
     entries: Vec<Entry<'a>>,
 }
 
@@ -54,7 +54,7 @@ pub fn papers<'a>(parts: &Parts<'a>) -> Vec<PaperSection<'a>> {
     let section = |paper: Paper, name, entries| PaperSection {
         id: paper.experiment(),
         name,
-        citation: paper.citation(),
+        citations: paper.citations(),
         entries,
     };
     vec![

@@ -2,7 +2,7 @@
 
 use crate::experiment::Results;
 use crate::pictures::PictureRecord;
-use crate::report::compare::Comparison;
+use crate::report::compare::{Comparison, ToleranceRow};
 use crate::report::defects::Defect;
 use crate::report::plots::Plot;
 use crate::report::summary::Summary;
@@ -28,6 +28,8 @@ pub struct Parts<'a> {
     pub tables: &'a [ReportTable],
     /// Every verdict.
     pub comparison: &'a Comparison,
+    /// How the verdicts depend on the limits of their tests.
+    pub tolerances: &'a [ToleranceRow],
     /// Every plot that could be made.
     pub plots: &'a [Plot],
     /// Every picture that is there.

@@ -45,12 +45,13 @@ pub fn commands(summary: &Summary) -> Vec<GroupCommands<'_>> {
     for cell in summary.cells() {
         let mesh = &cell.id.mesh;
         let id = group_id(&mesh.experiment, &mesh.group);
-        if groups.last().is_none_or(|group| group.id != id) {
+        if groups.iter().all(|group| group.id != id) {
             let name = format!("{}, group {}", mesh.experiment, mesh.group);
-            groups.push(GroupCommands { id, name, cells: Vec::new() });
+            groups.push(GroupCommands { id: id.clone(), name, cells: Vec::new() });
         }
         let command = cell.runs.first().map_or("", |run| run.command.as_str());
-        let group = groups.last_mut().expect("one was pushed if there was none");
+        let group = groups.iter_mut().find(|group| group.id == id);
+        let group = group.expect("one was pushed if there was none");
         let outcomes = cell.outcome_text();
         group.cells.push(CellCommand { name: name_of(cell), outcomes, command });
     }
@@ -71,6 +72,6 @@ fn name_of(cell: &Cell) -> String {
 
 /// Returns where the commands of a group's cells are, if there are any.
 pub fn commands_id(summary: &Summary, paper: Paper, group: &str) -> Option<String> {
-    let is_there = summary.of_group(paper, group).next().is_some();
-    is_there.then(|| group_id(paper.experiment(), group))
+    let first = &summary.of_group(paper, group).next()?.id.mesh;
+    Some(group_id(&first.experiment, &first.group))
 }

@@ -6,6 +6,7 @@ use super::provenance::commands_id;
 use crate::meshes::MeshKind;
 use crate::report::notes::Note;
 use crate::report::number::significant;
+use crate::report::statistics::Statistics;
 use crate::report::summary::Summary;
 use crate::report::tables::{ReportTable, Row, TableCell, Value};
 
@@ -34,6 +35,8 @@ struct RowView {
 #[derive(Clone, Serialize)]
 struct CellView {
     text: String,
+    /// Quartiles of the runs whose mean is shown.
+    quartiles: String,
     paper: String,
     difference: String,
     class: &'static str,
@@ -99,8 +102,24 @@ impl CellView {
         };
         let (difference, class) =
             if is_comparable { difference(cell) } else { (String::new(), "") };
-        Self { text, paper: cell.paper.display(), difference, class }
+        Self { text, quartiles: quartiles(cell), paper: cell.paper.display(), difference, class }
     }
+}
+
+/// Returns the quartiles of the runs, where they differ.
+fn quartiles(cell: &TableCell) -> String {
+    let is_mean = matches!(cell.ours, Value::Seconds(_) | Value::Mean(_));
+    let Some(found) = Statistics::from_values(&cell.sample).filter(|_| is_mean) else {
+        return String::new();
+    };
+    if found.lower_quartile == found.upper_quartile {
+        return String::new();
+    }
+    let bound = |value: f64| match cell.ours {
+        Value::Mean(_) => Value::Mean(value).display(),
+        _ => Value::Seconds(value).display(),
+    };
+    format!("{} to {}", bound(found.lower_quartile), bound(found.upper_quartile))
 }
 
 /// Returns how ours differs from the paper's, in words that need no colour.
@@ -108,6 +127,10 @@ fn difference(cell: &TableCell) -> (String, &'static str) {
     let (Some(ours), Some(paper)) = (cell.ours.number(), cell.paper.number()) else {
         return (String::new(), "");
     };
+    // Those of another machine are shown, not compared.
+    if matches!(cell.ours, Value::Seconds(_)) {
+        return (String::new(), "");
+    }
     // Equal to the digits printed.
     if cell.ours.field() == cell.paper.field() {
         return ("= equal".into(), "same");

@@ -1,8 +1,10 @@
-//! The claims, by their verdicts.
+//! The claims, by their verdicts; those that differ, by what that is due to.
 
 use serde::Serialize;
 
-use crate::report::compare::{Comparison, Judged, Verdict};
+use super::parts::Parts;
+use crate::report::claims::Cause;
+use crate::report::compare::{Judged, ToleranceRow, Verdict};
 
 /// The claims of one verdict.
 #[derive(Serialize)]
@@ -12,7 +14,16 @@ pub struct VerdictGroup<'a> {
     class: String,
     mark: &'static str,
     meaning: &'static str,
-    /// Whether its claims are unfolded: those that can be judged.
+    count: usize,
+    parts: Vec<VerdictPart<'a>>,
+}
+
+/// Claims of one verdict that belong together.
+#[derive(Serialize)]
+struct VerdictPart<'a> {
+    /// What a difference is due to; empty where there is no difference.
+    cause: String,
+    /// Whether its claims are unfolded: those that differ.
     open: bool,
     claims: Vec<ClaimView<'a>>,
 }
@@ -27,38 +38,99 @@ struct ClaimView<'a> {
     ours: &'a str,
     paper: &'a str,
     why: &'a str,
+    evidence: &'a str,
     detail: &'a str,
 }
 
-/// Returns the groups, in the order in which verdicts are counted.
-pub fn groups(comparison: &Comparison) -> Vec<VerdictGroup<'_>> {
-    Verdict::ALL.map(|verdict| group(comparison, verdict)).into()
+/// A claim whose verdict depends on its limits.
+#[derive(Serialize)]
+pub struct ToleranceView<'a> {
+    id: &'a str,
+    limits: &'a str,
+    origin: &'static str,
+    verdicts: Vec<&'static str>,
 }
 
-fn group(comparison: &Comparison, verdict: Verdict) -> VerdictGroup<'_> {
-    let (title, mark, meaning) = match verdict {
+/// Order of the page: what differs first.
+const ORDER: [Verdict; 6] = [
+    Verdict::Differs,
+    Verdict::Undecided,
+    Verdict::PaperInconsistent,
+    Verdict::Reproduced,
+    Verdict::ByConstruction,
+    Verdict::NotComparable,
+];
+
+/// Returns the groups, those that need an explanation first.
+pub fn groups<'a>(parts: &Parts<'a>) -> Vec<VerdictGroup<'a>> {
+    ORDER.map(|verdict| group(parts, verdict)).into()
+}
+
+fn group<'a>(parts: &Parts<'a>, verdict: Verdict) -> VerdictGroup<'a> {
+    let (title, mark, meaning) = words(verdict);
+    let judged = &parts.comparison.verdicts;
+    let own: Vec<&Judged> = judged.iter().filter(|judged| judged.verdict == verdict).collect();
+    let name = verdict.name();
+    VerdictGroup {
+        name,
+        title,
+        class: name.replace(' ', "-"),
+        mark,
+        meaning,
+        count: own.len(),
+        parts: if verdict == Verdict::Differs { by_cause(&own) } else { vec![part(&own)] },
+    }
+}
+
+fn words(verdict: Verdict) -> (&'static str, &'static str, &'static str) {
+    match verdict {
         Verdict::Reproduced => ("Reproduced", "✓", "The claim holds of our records."),
+        Verdict::ByConstruction => (
+            "By construction",
+            "≡",
+            "The claim holds of our records, as a theorem or a definition says it must: it is no \
+             evidence.",
+        ),
+        Verdict::Undecided => (
+            "Undecided",
+            "~",
+            "Of 1000 resamples of the runs, more than 5 % decide otherwise than their means.",
+        ),
         Verdict::Differs => ("Differs", "✗", "The claim does not hold of our records."),
         Verdict::NotComparable => {
-            ("Not comparable", "–", "Our records do not decide it; the reason is given.")
+            ("Not comparable", "–", "Our records do not bear on it; the reason is given.")
         }
         Verdict::PaperInconsistent => {
             ("Paper inconsistent", "!", "The paper's own numbers contradict the claim.")
         }
-    };
-    let own = comparison.verdicts.iter().filter(|judged| judged.verdict == verdict);
-    let name = verdict.name();
-    let class = name.replace(' ', "-");
-    let open = [Verdict::Reproduced, Verdict::Differs].contains(&verdict);
-    VerdictGroup {
-        name,
-        title,
-        class,
-        mark,
-        meaning,
-        open,
-        claims: own.map(ClaimView::from).collect(),
     }
+}
+
+fn by_cause<'a>(judged: &[&'a Judged]) -> Vec<VerdictPart<'a>> {
+    let due_to = |cause: Cause| {
+        let is_due = |judged: &&&Judged| judged.cause.as_ref().is_some_and(|due| due.0 == cause);
+        let own: Vec<&Judged> = judged.iter().filter(is_due).copied().collect();
+        let cause = format!("{} ({})", sentence(cause), own.len());
+        VerdictPart { cause, open: true, ..part(&own) }
+    };
+    Cause::ALL.map(due_to).into_iter().filter(|part| !part.claims.is_empty()).collect()
+}
+
+/// Returns a cause in words.
+fn sentence(cause: Cause) -> &'static str {
+    match cause {
+        Cause::Mesh => "Mesh: the box is not the papers'",
+        Cause::Simplifier => "Simplifier: the papers' is not published",
+        Cause::StandIn => "Stand-in: the scans were not at hand",
+        Cause::Implementation => "Implementation: the claim is about theirs, ours is another",
+        Cause::Machine => "Machine: the claim is about theirs",
+        Cause::Unknown => "Unknown: nobody has looked into it",
+    }
+}
+
+fn part<'a>(judged: &[&'a Judged]) -> VerdictPart<'a> {
+    let claims = judged.iter().map(|judged| ClaimView::from(*judged)).collect();
+    VerdictPart { cause: String::new(), open: false, claims }
 }
 
 impl<'a> From<&'a Judged> for ClaimView<'a> {
@@ -71,7 +143,19 @@ impl<'a> From<&'a Judged> for ClaimView<'a> {
             ours: &judged.ours,
             paper: &judged.paper,
             why: &judged.reason,
+            evidence: judged.cause.as_ref().map_or("", |(_, evidence)| evidence),
             detail: &judged.by_mesh,
         }
     }
+}
+
+/// Returns the claims whose verdict depends on their limits.
+pub fn tolerances<'a>(parts: &Parts<'a>) -> Vec<ToleranceView<'a>> {
+    let view = |row: &'a ToleranceRow| ToleranceView {
+        id: &row.id,
+        limits: &row.limits,
+        origin: row.origin,
+        verdicts: row.verdicts.map(Verdict::name).into(),
+    };
+    parts.tolerances.iter().filter(|row| row.depends()).map(view).collect()
 }

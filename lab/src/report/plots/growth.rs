@@ -27,8 +27,10 @@ pub fn figures(summary: &Summary) -> Vec<Chart> {
 }
 
 fn of_figure(summary: &Summary, figure: u8, group: &str, meshes: &str) -> Chart {
-    let in_file_order =
-        |cell: &&Cell| matches!(cell.id.job, Job::Reduce { order: Order::File, .. });
+    let in_file_order = |cell: &&Cell| {
+        let job = cell.id.job;
+        matches!(job, Job::Reduce { order: Order::File, .. }) || job.is_program()
+    };
     let cells = summary.of_group(Paper::Irreducible, group).filter(in_file_order).collect();
     let against_genus = group == "D";
     let chart = chart(
@@ -60,7 +62,9 @@ pub fn totals(summary: &Summary) -> Vec<Chart> {
         ("data", "other scans"),
     ];
     let is_published = |cell: &&Cell| {
-        matches!(cell.id.job, Job::Convert { augmentation: Augmentation::Tarjan, .. })
+        let job = cell.id.job;
+        let is_tarjan = matches!(job, Job::Convert { augmentation: Augmentation::Tarjan, .. });
+        is_tarjan || job.is_program()
     };
     let of_group = |(group, meshes): (&str, &str)| {
         let title = format!("Total time on {meshes}, as published (tarjan)");

@@ -151,9 +151,8 @@ fn seconds_against_paper(summary: &Summary) -> Chart {
         "our total time / the paper's",
         ["faster than in the paper", "slower"],
     );
-    let caption = "Seconds of two machines about fifteen years apart: where the marks of a row lie \
-                   shows the machines and the implementations together. Augmentation as published \
-                   (tarjan).";
+    let caption = "Seconds of two machines: where the marks of a row lie shows the machines and the \
+                   implementations together. Augmentation as published (tarjan).";
     Chart { caption: caption.into(), ..chart }
 }
 

@@ -5,6 +5,7 @@ use super::chart::{Bar, Chart, Counterpart, legends};
 use crate::experiment::RunRecord;
 use crate::paper::{PairingRow, Paper, Table, TableKind};
 use crate::report::summary::{Cell, Summary};
+use crate::report::tables::with_programs;
 
 /// Makes a chart for each of the three tables.
 pub fn all(summary: &Summary) -> Vec<Chart> {
@@ -14,7 +15,7 @@ pub fn all(summary: &Summary) -> Vec<Chart> {
 
 fn of_table(summary: &Summary, table: Table) -> Chart {
     let (mut rows, mut bars, mut cells) = (Vec::new(), Vec::new(), Vec::<&Cell>::new());
-    for (mesh, job, printed) in table.pairing_jobs() {
+    for (mesh, job, printed) in with_programs(table.pairing_jobs(), summary) {
         let Some(cell) = summary.cell(Paper::Comparison, &mesh, job) else { continue };
         let is_first = cells.last().is_none_or(|before| before.mesh() != cell.mesh());
         rows.push(row_name(cell, is_first));
@@ -47,6 +48,8 @@ fn row_name(cell: &Cell, is_first: bool) -> String {
 fn bar(cell: &Cell, printed: Option<&PairingRow>, row: usize) -> Bar {
     let pairing = cell.mean(|run| run.measured.pairing_seconds);
     let total = cell.mean(RunRecord::whole_total_seconds);
+    // A program may report its total alone: a bar of one part.
+    let pairing = pairing.or(total);
     let star = if cell.is_extrapolated() { " *" } else { "" };
     Bar {
         row,

@@ -68,22 +68,23 @@ pub fn of_cell<'c, P>(
 }
 
 /// Returns a column of the mean of a number over the runs of a shown cell.
-pub fn mean<'c, P>(
+pub fn mean<'c, P: 'c>(
     name: impl Into<String>,
     at: usize,
     unit: fn(f64) -> Value,
     number: fn(&RunRecord) -> Option<f64>,
 ) -> ColumnOf<'c, P> {
-    of_cell(name, at, move |cell| cell.mean(number).map(unit))
+    of_cell(name, at, move |cell| cell.mean(number).map(unit)).sampled(at, number)
 }
 
 /// Returns a column of the mean of a count over the runs of a shown cell.
-pub fn mean_count<'c, P>(
+pub fn mean_count<'c, P: 'c>(
     name: impl Into<String>,
     at: usize,
     count: fn(&Measured) -> Option<u64>,
 ) -> ColumnOf<'c, P> {
-    of_cell(name, at, move |cell| cell.mean_count(count).map(Value::Mean))
+    let number = move |run: &RunRecord| count(&run.measured).map(|count| count as f64);
+    of_cell(name, at, move |cell| cell.mean_count(count).map(Value::Mean)).sampled(at, number)
 }
 
 /// Returns a column of how the runs of a cell ended, or `not planned`.
@@ -132,6 +133,19 @@ impl<'c, P> ColumnOf<'c, P> {
     /// Sets the name on the page.
     pub fn heading(mut self, heading: impl Into<String>) -> Self {
         self.column.heading = heading.into();
+        self
+    }
+
+    /// Keeps the numbers of the runs of a shown cell beside their mean.
+    fn sampled(mut self, at: usize, number: impl Fn(&RunRecord) -> Option<f64> + 'c) -> Self
+    where
+        P: 'c,
+    {
+        let ours = self.cell;
+        self.cell = Box::new(move |line| TableCell {
+            sample: line.cells[at].map_or(Vec::new(), |cell| cell.sample(&number)),
+            ..ours(line)
+        });
         self
     }
 

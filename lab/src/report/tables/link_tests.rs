@@ -3,13 +3,26 @@
 
 use super::columns::{self, ColumnOf, Line, column, counterpart, mean_count};
 use super::table::{ReportTable, Value};
-use crate::experiment::Measured;
+use crate::experiment::{Job, Measured};
 use crate::paper::{LinkTestRow, Paper, RatioRow, Table, TableKind};
 use crate::report::number::quotient;
 use crate::report::summary::{Cell, Summary};
 
 /// RS, S and BF in the names of columns, and their letters in the paper.
 const TRIO: [(&str, &str); 3] = [("rs", "rs"), ("schipper", "s"), ("brute_force", "bf")];
+
+/// Returns the jobs with columns: RS, S and BF, then the programs that are not ours.
+fn jobs(summary: &Summary) -> Vec<Job> {
+    let mut jobs = Paper::Irreducible.jobs().to_vec();
+    jobs.extend(summary.programs(Paper::Irreducible));
+    jobs
+}
+
+/// Returns the places and names of the programs that are not ours.
+fn programs(summary: &Summary) -> impl Iterator<Item = (usize, String)> {
+    let labels = summary.programs(Paper::Irreducible).into_iter().map(Job::label);
+    labels.enumerate().map(|(i, label)| (TRIO.len() + i, label))
+}
 
 /// Makes a table with RS, S and BF on each mesh, in file order.
 fn table<P: 'static>(
@@ -21,13 +34,17 @@ fn table<P: 'static>(
 ) -> ReportTable {
     let line = |(mesh, row): (String, P)| {
         let cell = |job| summary.cell(Paper::Irreducible, &mesh, job);
-        let cells = Paper::Irreducible.jobs().iter().map(|&job| cell(job)).collect();
+        let cells = jobs(summary).into_iter().map(cell).collect();
         Line { cells, ..Line::new(summary, Paper::Irreducible, &mesh, Some(row)) }
     };
     let lines: Vec<Line<P>> = rows.into_iter().map(line).collect();
     columns.extend(columns::mesh());
     for (at, (name, letter)) in TRIO.into_iter().enumerate() {
         let heading = format!("{} runs", letter.to_uppercase());
+        columns.push(columns::outcomes(format!("{name}_outcomes"), at).heading(heading));
+    }
+    for (at, name) in programs(summary) {
+        let heading = format!("{name} runs");
         columns.push(columns::outcomes(format!("{name}_outcomes"), at).heading(heading));
     }
     counterpart(printed, columns, &lines, errata_of)
@@ -62,7 +79,7 @@ fn tests(summary: &Summary, printed: Table) -> ReportTable {
     let [rs_again, s_again, bf_again] = counts("edges_tested_more_than_once", "ε", |measured| {
         measured.edges_tested_more_than_once
     });
-    let columns = vec![
+    let mut columns = vec![
         beside(rs, |row| row.rs_link_condition_tests),
         beside(s, |row| row.schipper_link_condition_tests),
         beside(bf, |row| row.brute_force_link_condition_tests),
@@ -70,12 +87,18 @@ fn tests(summary: &Summary, printed: Table) -> ReportTable {
         beside(s_again, |row| row.schipper_edges_tested_more_than_once),
         beside(bf_again, |row| row.brute_force_edges_tested_more_than_once),
     ];
+    for (at, name) in programs(summary) {
+        columns.push(
+            mean_count(format!("{name}_link_condition_tests"), at, |run| run.link_condition_tests)
+                .heading(format!("ℓ_{name}")),
+        );
+    }
     table(summary, printed, rows, columns, |row| &row.errata)
 }
 
 fn ratios(summary: &Summary, printed: Table) -> ReportTable {
     let rows = printed.ratio_rows().into_iter().map(|row| (row.mesh.clone(), row)).collect();
-    let columns = vec![
+    let mut columns = vec![
         ratio([1, 0], "tests", tests_of, |row| row.schipper_to_rs_tests),
         ratio([2, 0], "tests", tests_of, |row| row.brute_force_to_rs_tests),
         ratio([1, 2], "tests", tests_of, |row| row.schipper_to_brute_force_tests),
@@ -83,6 +106,13 @@ fn ratios(summary: &Summary, printed: Table) -> ReportTable {
         ratio([2, 0], "seconds", seconds_of, |row| row.brute_force_to_rs_seconds),
         ratio([1, 2], "seconds", seconds_of, |row| row.schipper_to_brute_force_seconds),
     ];
+    for (at, name) in programs(summary) {
+        let to_rs = move |line: &Line<RatioRow>| {
+            quotient(seconds_of(line, at), seconds_of(line, 0)).map_or(Value::Missing, Value::Ratio)
+        };
+        let column = column(format!("{name}_to_rs_seconds"), to_rs);
+        columns.push(column.heading(format!("t_{name} / t_rs")));
+    }
     table(summary, printed, rows, columns, |row| &row.errata)
 }
 

@@ -11,6 +11,7 @@ mod own;
 mod pairings;
 mod table;
 
+pub use pairings::with_programs;
 pub use table::{Beside, Column, ReportTable, Row, TableCell, Value};
 
 use super::summary::Summary;

@@ -44,7 +44,9 @@ fn of_cells<'a>(
 
 /// Puts `tarjan` beside `local`, for every algorithm.
 fn augmentation(summary: &Summary) -> ReportTable {
-    let cells: Vec<&Cell> = summary.of_paper(Paper::Comparison).collect();
+    // Programs that are not ours have neither.
+    let is_ours = |cell: &&Cell| !cell.id.job.is_program();
+    let cells: Vec<&Cell> = summary.of_paper(Paper::Comparison).filter(is_ours).collect();
     let bare = |cell: &Cell| {
         let job = cell.id.job.with_augmentation(Augmentation::Tarjan);
         (cell.id.mesh.clone(), job)

@@ -21,16 +21,17 @@ pub fn all(summary: &Summary) -> impl Iterator<Item = ReportTable> {
 }
 
 fn table(summary: &Summary, printed: Table) -> ReportTable {
-    let (mut lines, mut is_complete) = (Vec::new(), true);
-    for (mesh, job, row) in printed.pairing_jobs() {
+    let jobs = printed.pairing_jobs();
+    let is_complete = jobs.iter().all(|(_, _, row)| row.is_some());
+    let line = |(mesh, job, row): (String, Job, Option<PairingRow>)| {
         let cell = summary.cell(Paper::Comparison, &mesh, job);
-        is_complete &= row.is_some();
-        if row.is_some() || cell.is_some() {
+        (row.is_some() || cell.is_some()).then(|| {
             let printed = Some(PrintedJob { job, row });
             let line = Line::new(summary, Paper::Comparison, &mesh, printed);
-            lines.push(Line { cells: vec![cell], ..line });
-        }
-    }
+            Line { cells: vec![cell], ..line }
+        })
+    };
+    let lines: Vec<_> = with_programs(jobs, summary).into_iter().filter_map(line).collect();
     let job = |line: &Line<PrintedJob>| line.paper.as_ref().map(|printed| printed.job);
     let algorithm = move |line: &Line<_>| job(line).map_or(Value::Missing, Value::Algorithm);
     let mut columns = vec![column("algorithm", algorithm)];
@@ -52,6 +53,20 @@ fn table(summary: &Summary, printed: Table) -> ReportTable {
     }
     table.notes.push(Note::OtherMachine);
     table
+}
+
+/// Adds to the jobs on each mesh the programs that are not ours.
+pub fn with_programs(
+    jobs: Vec<(String, Job, Option<PairingRow>)>,
+    summary: &Summary,
+) -> Vec<(String, Job, Option<PairingRow>)> {
+    let programs = summary.programs(Paper::Comparison);
+    let mut all = Vec::new();
+    for of_mesh in jobs.chunk_by(|one, other| one.0 == other.0) {
+        all.extend_from_slice(of_mesh);
+        all.extend(programs.iter().map(|&program| (of_mesh[0].0.clone(), program, None)));
+    }
+    all
 }
 
 fn beside(

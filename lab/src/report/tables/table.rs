@@ -73,6 +73,8 @@ pub struct TableCell {
     pub paper: Value,
     /// Whether ours is extrapolated.
     pub is_extrapolated: bool,
+    /// The numbers of the runs whose mean ours is; empty where it is no mean.
+    pub sample: Vec<f64>,
 }
 
 /// A number with its unit, or a text.

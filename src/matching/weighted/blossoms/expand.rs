@@ -110,7 +110,7 @@ impl<S: Nodes> Trees<S> {
             if node == last {
                 return;
             }
-            node = self.family.next[node as usize];
+            node = self.family.next(node);
         }
     }
 

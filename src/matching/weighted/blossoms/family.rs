@@ -51,20 +51,20 @@ pub(crate) struct Set<N> {
 /// All nodes and blossoms.
 pub(crate) struct Family<S: Nodes> {
     pub(crate) nodes: S,
-    /// The next node in the list of a blossom.
-    pub(crate) next: Vec<u32>,
+    /// For each node in range the next one in the list of a blossom.
+    pub(super) next: Vec<u32>,
     pub(crate) blossoms: Vec<Blossom<S::N>>,
     pub(crate) sets: Vec<Set<S::N>>,
     /// For each set the half-edges from outer nodes that met it while it was inner.
     pub(crate) pending: Vec<Vec<u32>>,
-    unused_blossoms: Vec<u32>,
-    unused_sets: Vec<u32>,
+    pub(super) unused_blossoms: Vec<u32>,
+    pub(super) unused_sets: Vec<u32>,
 }
 
 impl<S: Nodes> Family<S> {
     pub(crate) fn new(nodes: S) -> Self {
         Self {
-            next: vec![NONE; nodes.len() as usize],
+            next: vec![NONE; nodes.range().len()],
             nodes,
             blossoms: Vec::new(),
             sets: Vec::new(),
@@ -72,6 +72,17 @@ impl<S: Nodes> Family<S> {
             unused_blossoms: Vec::new(),
             unused_sets: Vec::new(),
         }
+    }
+
+    /// Returns the node after this one in the list of a blossom.
+    #[inline]
+    pub(crate) fn next(&self, node: u32) -> u32 {
+        self.next[(node - self.nodes.range().start) as usize]
+    }
+
+    pub(crate) fn set_next(&mut self, node: u32, next: u32) {
+        let first = self.nodes.range().start;
+        self.next[(node - first) as usize] = next;
     }
 
     /// Returns the place of a blossom in the array, or `None` for a node.

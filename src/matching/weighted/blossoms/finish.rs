@@ -18,8 +18,8 @@ pub(crate) struct Outcome {
 
 impl<S: Nodes> Trees<S> {
     /// Returns Σ y + Σ z: no matching costs less, in halves. O(n).
-    pub(super) fn bound(&self) -> i128 {
-        let nodes = 0..self.family.nodes.len();
+    pub(crate) fn bound(&self) -> i128 {
+        let nodes = self.family.nodes.range();
         let potentials = nodes.map(|node| self.family.standing(node, S::N::ZERO).1.widen());
         let real = self.family.blossoms.iter().filter(|blossom| !blossom.kids.is_empty());
         let twice = real.map(|blossom| blossom.value.widen() * i128::from(blossom.size - 1));

@@ -43,7 +43,7 @@ impl<S: Nodes> Trees<S> {
         let mut size = family.size(kids[0].top);
         for kid in &kids[1..] {
             let (kid_first, kid_last) = family.ends(kid.top);
-            family.next[last as usize] = kid_first;
+            family.set_next(last, kid_first);
             last = kid_last;
             size += family.size(kid.top);
         }

@@ -10,10 +10,12 @@ mod expand;
 mod family;
 mod finish;
 mod found;
+mod join;
 mod rounds;
 mod search;
 mod shrink;
 mod split;
 
 pub(super) use finish::Outcome;
+pub(super) use join::Grown;
 pub(super) use search::Trees;

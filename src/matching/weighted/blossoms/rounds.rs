@@ -4,33 +4,76 @@ use super::super::limits::Limits;
 use super::super::nodes::{Label, NONE, Nodes};
 use super::super::observer::{Observer, Stage};
 use super::super::refusal::Refusal;
+use super::super::roots::Roots;
 use super::search::{Found, Trees};
 
 impl<S: Nodes> Trees<S> {
-    /// Pairs every root: free nodes, and one node of every half-integral cycle.
+    /// Pairs every root: free nodes, and one node of every half-integral cycle. Those that were cut
+    /// before, at limits up to `most`, miss these rounds.
     pub(crate) fn pair_all(
         &mut self,
-        mut roots: Vec<u32>,
+        mut left: Roots,
+        most: usize,
         limits: Limits,
         observer: &mut Observer,
     ) -> Result<(), Refusal> {
+        let mut roots = left.take_blocked();
         let mut limit = limits.first;
-        self.work.blossom_roots = roots.len() as u64;
-        while !roots.is_empty() {
-            let mut kept = 0;
-            for place in 0..roots.len() {
-                let root = roots[place];
-                if observer.stops(Stage::Blossoms, roots.len() - place + kept) {
-                    return Err(Refusal::Stopped(self.bound()));
-                }
-                if self.is_free(root) && self.search(root, limit)? == Found::Nothing {
+        while !(roots.is_empty() && left.cut.is_empty()) {
+            if limit > most {
+                left.join_cut(&mut roots);
+            }
+            self.search_each(&mut roots, &mut left.blocked, limit, observer)?;
+            limit = limits.next(limit);
+        }
+        Ok(())
+    }
+
+    /// Pairs roots as long as that takes no limit beyond `most`; returns the others.
+    pub(crate) fn pair_within(
+        &mut self,
+        most: usize,
+        roots: Vec<u32>,
+        limits: Limits,
+        observer: &mut Observer,
+    ) -> Result<Roots, Refusal> {
+        let mut left = Roots { cut: roots, ..Roots::default() };
+        let mut limit = limits.first;
+        while !left.cut.is_empty() && limit <= most {
+            self.search_each(&mut left.cut, &mut left.blocked, limit, observer)?;
+            limit = limits.next(limit);
+        }
+        Ok(left)
+    }
+
+    /// Searches from each root; keeps the roots whose trees were cut, and puts those apart that are
+    /// blocked.
+    fn search_each(
+        &mut self,
+        roots: &mut Vec<u32>,
+        blocked: &mut Vec<u32>,
+        limit: usize,
+        observer: &mut Observer,
+    ) -> Result<(), Refusal> {
+        let mut kept = 0;
+        for place in 0..roots.len() {
+            let root = roots[place];
+            if observer.stops(Stage::Blossoms, roots.len() - place + kept) {
+                return Err(Refusal::Stopped(self.bound()));
+            }
+            if !self.is_free(root) {
+                continue;
+            }
+            match self.search(root, limit)? {
+                Found::Mate => {}
+                Found::Border => blocked.push(root),
+                Found::Nothing => {
                     roots[kept] = root;
                     kept += 1;
                 }
             }
-            roots.truncate(kept);
-            limit = limits.next(limit);
         }
+        roots.truncate(kept);
         Ok(())
     }
 

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use super::super::cycles::{is_cycle_inside, leave_cycle};
 use super::super::nodes::{Label, NONE, Nodes};
 use super::super::number::Number;
 use super::super::queue::Queue;
@@ -31,6 +32,8 @@ pub(super) enum Found {
     Mate,
     /// Nothing yet.
     Nothing,
+    /// A node on the border would have to change.
+    Border,
 }
 
 impl<S: Nodes> Trees<S> {
@@ -53,6 +56,9 @@ impl<S: Nodes> Trees<S> {
         self.scan.clear();
         self.touched.clear();
         self.scanned = 0;
+        if !self.may_change(root) {
+            return Ok(Found::Border);
+        }
         let top = self.root_top(root)?;
         let limit = limit.saturating_add(self.family.size(top) as usize);
         self.make_outer(top);
@@ -74,8 +80,9 @@ impl<S: Nodes> Trees<S> {
                 if let Some(&soon) = self.scan.get(2) {
                     self.family.nodes.prefetch_around(soon);
                 }
-                if self.scan_node(node)? == Found::Mate {
-                    return Ok(Found::Mate);
+                match self.scan_node(node)? {
+                    Found::Nothing => {}
+                    found => return Ok(found),
                 }
             }
             let Some((time, code)) = self.queue.pop() else {
@@ -91,8 +98,9 @@ impl<S: Nodes> Trees<S> {
             if self.scanned >= limit {
                 return Ok(Found::Nothing);
             }
-            if self.occur(code)? == Found::Mate {
-                return Ok(Found::Mate);
+            match self.occur(code)? {
+                Found::Nothing => {}
+                found => return Ok(found),
             }
         }
     }
@@ -139,7 +147,7 @@ impl<S: Nodes> Trees<S> {
             if node == last {
                 return;
             }
-            node = self.family.next[node as usize];
+            node = self.family.next(node);
         }
     }
 
@@ -155,8 +163,9 @@ impl<S: Nodes> Trees<S> {
             if twin == NONE {
                 continue;
             }
-            if self.look_along(half_edge, twin, potential)? == Found::Mate {
-                return Ok(Found::Mate);
+            match self.look_along(half_edge, twin, potential)? {
+                Found::Nothing => {}
+                found => return Ok(found),
             }
         }
         if let Some(price) = self.family.nodes.price(node) {
@@ -250,8 +259,11 @@ impl<S: Nodes> Trees<S> {
     fn advance(&mut self, half_edge: u32) -> Found {
         let back = self.family.nodes.twin(half_edge);
         let node = self.family.nodes.origin(back);
+        if !self.may_change(node) {
+            return Found::Border;
+        }
         if self.family.nodes.label(node) == Label::Half {
-            super::super::cycles::leave_cycle(&mut self.family.nodes, node);
+            leave_cycle(&mut self.family.nodes, node);
             self.family.nodes.set_mate(node, back);
             self.augment(half_edge);
             return Found::Mate;
@@ -263,10 +275,23 @@ impl<S: Nodes> Trees<S> {
             self.augment(half_edge);
             return Found::Mate;
         }
+        if self.family.nodes.is_on_border(self.family.nodes.head(mate)) {
+            return Found::Border;
+        }
         self.family.set_parent(top, back);
         self.make_inner(top);
         self.make_outer(self.family.top(self.family.nodes.head(mate)));
         Found::Nothing
+    }
+
+    /// Returns whether neither the node nor the half-integral cycle that it is on has part in the
+    /// border.
+    fn may_change(&self, node: u32) -> bool {
+        let nodes = &self.family.nodes;
+        match nodes.label(node) {
+            Label::Half => is_cycle_inside(nodes, node),
+            _ => !nodes.is_on_border(node),
+        }
     }
 
     /// Pairs an outer top along a half-edge and re-pairs all tops above it up to the root.

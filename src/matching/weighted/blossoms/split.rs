@@ -69,7 +69,7 @@ impl<S: Nodes> Family<S> {
             if node == last {
                 return;
             }
-            node = self.next[node as usize];
+            node = self.next(node);
         }
     }
 

@@ -115,7 +115,7 @@ impl<S: Nodes> Forest<'_, S> {
                 self.fell(root)?;
             }
         }
-        Ok((0..self.nodes.len()).map(|node| self.nodes.potential(node).widen()).sum())
+        Ok(self.nodes.potential_sum())
     }
 
     /// Returns the inner nodes. If nothing can happen any more, the outer ones are alone without.

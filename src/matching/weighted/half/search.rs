@@ -29,17 +29,14 @@ pub(super) enum Found {
     Mate,
     /// Nothing yet.
     Nothing,
+    /// A node on the border would have to change.
+    Border,
 }
 
 impl<'a, S: Nodes> Tree<'a, S> {
     pub(super) fn new(nodes: &'a mut S, cycles: &'a mut Vec<u32>) -> Self {
         let (clock, queue) = (S::N::ZERO, Queue::new());
         Self { nodes, clock, cycles, queue, members: Vec::new(), scan: 0 }
-    }
-
-    /// Returns Σ y: no matching costs less, in halves. O(n).
-    pub(super) fn bound(&self) -> i128 {
-        (0..self.nodes.len()).map(|node| self.nodes.potential(node).widen()).sum()
     }
 
     /// Grows a tree from a root until that is paired or `limit` outer nodes are in the tree.
@@ -49,6 +46,9 @@ impl<'a, S: Nodes> Tree<'a, S> {
         limit: usize,
         work: &mut Work,
     ) -> Result<Found, Refusal> {
+        if self.nodes.is_on_border(root) {
+            return Ok(Found::Border);
+        }
         self.clock = S::N::ZERO;
         self.queue.clear();
         self.members.clear();
@@ -69,8 +69,9 @@ impl<'a, S: Nodes> Tree<'a, S> {
                 }
                 let node = self.members[self.scan];
                 self.scan += 2;
-                if self.scan_node(node)? == Found::Mate {
-                    return Ok(Found::Mate);
+                match self.scan_node(node)? {
+                    Found::Nothing => {}
+                    found => return Ok(found),
                 }
             }
             let Some((time, half_edge)) = self.queue.pop() else {
@@ -85,8 +86,9 @@ impl<'a, S: Nodes> Tree<'a, S> {
             if self.members.len() >= most {
                 return self.end(Found::Nothing);
             }
-            if self.occur(half_edge)? == Found::Mate {
-                return Ok(Found::Mate);
+            match self.occur(half_edge)? {
+                Found::Nothing => {}
+                found => return Ok(found),
             }
         }
     }
@@ -115,7 +117,7 @@ impl<'a, S: Nodes> Tree<'a, S> {
                 Label::Outer => self.meet_outer(half_edge, slack - self.clock)?,
                 label => self.meet_free(half_edge, other, label, slack)?,
             };
-            if found == Found::Mate {
+            if found != Found::Nothing {
                 return Ok(found);
             }
         }
@@ -175,9 +177,15 @@ impl<'a, S: Nodes> Tree<'a, S> {
     fn advance(&mut self, half_edge: u32) -> Result<Found, Refusal> {
         let back = self.nodes.twin(half_edge);
         let node = self.nodes.origin(back);
+        if self.nodes.is_on_border(node) {
+            return self.end(Found::Border);
+        }
         if self.nodes.label(node) == Label::Half {
             leave_cycle(self.nodes, node);
         } else if !self.nodes.is_no_mate(self.nodes.mate(node)) {
+            if self.nodes.is_on_border(self.nodes.head(self.nodes.mate(node))) {
+                return self.end(Found::Border);
+            }
             self.nodes.set_parent(node, back);
             self.nodes.set_label(node, Label::Inner);
             self.nodes.add_potential(node, self.clock);

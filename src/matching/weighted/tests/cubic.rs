@@ -10,15 +10,25 @@ use super::super::problem::Problem;
 use super::super::solve::{Solution, SolveError, cubic_solution};
 use super::super::verify::verify;
 use super::brute_force::least_cost;
-use super::graphs::{Rows, any_graph, cubic_graph, surface};
+use super::graphs::{Rows, any_graph, cubic_graph, local_graph, surface};
 
-/// First limits, factors and patience; patience 0 forces the forest.
+/// First limits, factors, patience and parts; patience 0 forces the forest.
 pub(super) fn limits() -> impl Strategy<Value = Limits> {
     let first = prop_oneof![Just(1), Just(2), Just(4), Just(16), Just(64), Just(usize::MAX)];
     let patience = prop_oneof![Just(0), Just(3), Just(u32::MAX)];
-    (first, 2..5_usize, 0..3_u32, patience).prop_map(|(first, factor, single_rounds, patience)| {
-        Limits { first, factor, single_rounds, patience }
-    })
+    let parts = (1..40_usize, 1..6_usize, 1..3_usize);
+    (first, 2..5_usize, 0..3_u32, patience, parts).prop_map(
+        |(first, factor, single_rounds, patience, (part, parts, share))| Limits {
+            first,
+            factor,
+            single_rounds,
+            patience,
+            part,
+            parts,
+            share,
+            border: 1,
+        },
+    )
 }
 
 pub(super) fn solve(graph: &Rows, limits: Limits) -> Result<Solution, SolveError> {
@@ -71,6 +81,13 @@ proptest! {
 
     #[test]
     fn graphs_are_solved_with_proof(graph in any_graph(0..300), limits in limits()) {
+        proven(&graph, solve(&graph, limits))?;
+    }
+
+    #[test]
+    fn graphs_of_near_neighbours_are_solved_with_proof(
+        graph in local_graph(0..300), limits in limits(),
+    ) {
         proven(&graph, solve(&graph, limits))?;
     }
 

@@ -113,6 +113,19 @@ pub(super) fn any_graph(nodes: std::ops::Range<usize>) -> impl Strategy<Value = 
     })
 }
 
+/// Graphs whose edges join nodes of numbers at most six apart, as good numberings of meshes do.
+pub(super) fn local_graph(nodes: std::ops::Range<usize>) -> impl Strategy<Value = Rows> {
+    (nodes, cost_range(), 1..6_usize).prop_flat_map(|(count, range, density)| {
+        let draws = vec((0..count as u32, 1..7_u32, any::<u32>()), 0..density * count + 1);
+        (prices(count, range), draws).prop_map(move |(prices, draws)| {
+            let end = |u: u32, step: u32| (u + step) % count as u32;
+            let edges = draws.into_iter();
+            let edges = edges.map(|(u, step, draw)| (u, end(u, step), cost(draw, range)));
+            Rows::from_edges(prices, edges)
+        })
+    })
+}
+
 /// Cubic graphs: random pairs of three half-edges a node.
 pub(super) fn cubic_graph(half: std::ops::Range<usize>) -> impl Strategy<Value = Rows> {
     (half, cost_range()).prop_flat_map(|(half, range)| {

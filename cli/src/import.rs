@@ -1,0 +1,113 @@
+//! `triquad import`.
+
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+
+use triquad_lab::experiment::Task;
+use triquad_lab::experiment::import::{self, ImportSettings, Imported};
+use triquad_lab::experiment::journal::Journal;
+use triquad_lab::experiment::machine;
+use triquad_lab::meshes::paper::Scale;
+
+use crate::failure::Failure;
+use crate::names::one_of;
+use crate::{report, stdio};
+
+/// Take results measured elsewhere into a results folder
+///
+/// The file needs a column for the mesh and one with a number, under the names of runs.csv or
+/// mapped to them; all else has defaults. The tables, plots and the page of the folder are written
+/// anew.
+#[derive(clap::Args)]
+#[command(after_help = "Example: triquad import mine.csv --map \"graph=mesh,time=total_seconds\" \
+                        --algorithm mine --out results/mine")]
+pub struct Arguments {
+    /// Comma-separated values, names in the first line; '-' for standard input
+    #[arg(value_name = "FILE.csv")]
+    file: PathBuf,
+    /// Names in the file and in runs.csv; '-' leaves a column out. May be given more than once
+    #[arg(long, value_name = "THEIRS=OURS,…", value_delimiter = ',', value_parser = parse_mapping)]
+    map: Vec<(String, String)>,
+    /// Algorithm of all rows: one of ours, or a name of your own
+    #[arg(long, value_name = "NAME")]
+    algorithm: String,
+    /// What it makes: convert (quads) or irreducible. If not given, the columns decide
+    #[arg(long, value_name = "TASK", value_parser = one_of(Task::ALL, Task::id))]
+    task: Option<Task>,
+    /// How large the papers' meshes were
+    #[arg(long, default_value = "full", value_name = "SCALE")]
+    #[arg(value_parser = one_of(Scale::ALL, Scale::id))]
+    scale: Scale,
+    /// Take meshes too that the papers do not have
+    #[arg(long)]
+    other_meshes: bool,
+    /// The results folder
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+/// Reads `THEIRS=OURS`.
+fn parse_mapping(text: &str) -> Result<(String, String), String> {
+    let parts = text.split_once('=').map(|(from, to)| (from.trim(), to.trim()));
+    match parts {
+        Some((from, to)) if !from.is_empty() && !to.is_empty() => Ok((from.into(), to.into())),
+        _ => Err("a mapping is THEIRS=OURS, time=total_seconds for example".into()),
+    }
+}
+
+/// Reads the file, adds its rows to the folder and writes the report.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let imported = read(arguments)?;
+    let out = &arguments.out;
+    let failure = |error: std::io::Error| Failure::bad(format!("{}: {error}", out.display()));
+    let mut journal = Journal::open(out).map_err(|error| Failure::bad(error.to_string()))?;
+    let facts = [
+        ("imported from", arguments.file.display().to_string()),
+        ("imported by", machine::program()),
+    ];
+    let facts = facts.map(|(name, fact)| (name.to_owned(), fact)).into();
+    let name = import::machine_name(&arguments.algorithm);
+    journal.note_machine(&name, facts).map_err(failure)?;
+    journal.note_plan(imported.planned()).map_err(failure)?;
+    let cells = imported.planned().len();
+    let (rows, rounded) = (imported.records.len(), imported.rounded);
+    let task = imported.records.first().map_or("", |record| record.id.job.task().id());
+    for record in imported.records {
+        journal.append(record).map_err(failure)?;
+    }
+    if rounded > 0 {
+        stdio::complain(&format!(
+            "{}: {rounded} counts are no whole numbers and were rounded; give a row a run",
+            arguments.file.display()
+        ));
+    }
+    let written = report::write(out, journal.results())?;
+    stdio::say(&format!(
+        "{}: {rows} runs of {} ({task}) on {cells} meshes taken in",
+        written.page.as_deref().unwrap_or(out).display(),
+        arguments.algorithm,
+    ))
+}
+
+fn read(arguments: &Arguments) -> Result<Imported, Failure> {
+    let file = &arguments.file;
+    let failure =
+        |error: &dyn std::fmt::Display| Failure::bad(format!("{}: {error}", file.display()));
+    let text = read_text(file).map_err(|error| failure(&error))?;
+    let settings = ImportSettings {
+        algorithm: arguments.algorithm.clone(),
+        task: arguments.task,
+        scale: arguments.scale,
+        mapping: arguments.map.clone(),
+        allows_other_meshes: arguments.other_meshes,
+    };
+    import::read(&text, &settings).map_err(|error| failure(&error))
+}
+
+fn read_text(file: &Path) -> std::io::Result<String> {
+    if file.as_os_str() == "-" {
+        let mut text = String::new();
+        return std::io::stdin().read_to_string(&mut text).map(|_| text);
+    }
+    std::fs::read_to_string(file)
+}

@@ -1,0 +1,199 @@
+//! Results of others: external programs, imported files, baselines, the papers' tables.
+
+use std::path::Path;
+use std::process::Command;
+
+use crate::experiments::Workshop;
+use triquad_lab::experiment::{Outcome, RunRecord};
+
+const HEAD: &str = r#"
+    name = "mine"
+    title = "Programs of others"
+    task = "convert"
+    seed = 5
+    [limits]
+    timeout_seconds = 20
+    memory_gigabytes = 4
+"#;
+
+const GROUP: &str = r#"
+    [[group]]
+    name = "any"
+    meshes = ["botijo", "A5"]
+    [[group.run]]
+    algorithms = ["ps", "NAMES"]
+    augmentations = ["tarjan"]
+    repetitions = { full = 2, small = 2, demo = 2 }
+"#;
+
+/// An experiment with these programs: name and command, further lines after it.
+fn experiment(programs: &[(&str, &str)]) -> String {
+    let program = |(name, lines): &(&str, &str)| {
+        format!("[[program]]\nname = \"{name}\"\ntask = \"convert\"\n{lines}\n")
+    };
+    let tables: String = programs.iter().map(program).collect();
+    let names: Vec<&str> = programs.iter().map(|program| program.0).collect();
+    format!("{HEAD}{tables}{}", GROUP.replace("NAMES", &names.join("\", \"")))
+}
+
+fn has_python() -> bool {
+    let there = Command::new("python3").arg("--version").output().is_ok();
+    if !there {
+        eprintln!("skipped: python3 was not found");
+    }
+    there
+}
+
+fn greedy() -> String {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../experiments/peers/greedy.py");
+    format!(
+        "version = \"python3 --version\"\n\
+         command = [\"python3\", '{}', \"{{mesh}}\", \"{{quads}}\", \"{{seed}}\"]",
+        script.display()
+    )
+}
+
+fn of<'r>(records: &'r [RunRecord], algorithm: &str) -> Vec<&'r RunRecord> {
+    records.iter().filter(|record| record.id.job.algorithm() == algorithm).collect()
+}
+
+fn text(shop: &Workshop, file: &str) -> String {
+    std::fs::read_to_string(shop.path(file)).unwrap()
+}
+
+#[test]
+fn a_program_of_somebody_else_is_checked_and_stands_in_every_table() {
+    if !has_python() {
+        return;
+    }
+    let shop = Workshop::new();
+    let absent = "command = [\"no-such-program\", \"{mesh}\", \"{quads}\"]";
+    // What it leaves is no pairing: the input's last face is missing.
+    let wrong = "command = ['sh', '-c', 'sed \"\\$d\" $1 > $2', 'sh', '{mesh}', '{quads}']";
+    let programs = [("greedy", &greedy()[..]), ("absent", absent), ("wrong", wrong)];
+    std::fs::write(shop.path("mine.toml"), experiment(&programs)).unwrap();
+    let said = shop.failed("run mine.toml --scale demo --out out");
+    assert!(said.contains("absent is not installed: \"no-such-program\" was not found"), "{said}");
+    assert!(said.contains("4 runs did not end well"), "{said}");
+    let records = shop.results("out").records;
+    assert_eq!(records.len(), 2 * 2 * 4);
+    for record in of(&records, "greedy") {
+        let measured = &record.measured;
+        assert!(record.is_ok() && record.program.contains("Python 3"), "{record:?}");
+        let (quads, left) = (measured.quads.unwrap(), measured.unpaired_triangles.unwrap());
+        assert_eq!(Some(2 * quads + left), measured.triangles);
+        assert!(left > 0 && measured.total_seconds == Some(record.process_seconds));
+        assert!(record.command.contains("generate paper") && record.command.contains("greedy.py"));
+        #[cfg(target_os = "linux")]
+        assert!(measured.peak_memory_bytes.is_some_and(|bytes| bytes > 1_000_000));
+    }
+    assert!(of(&records, "absent").iter().all(|record| record.outcome == Outcome::Skipped));
+    for record in of(&records, "wrong") {
+        assert_eq!(record.outcome, Outcome::Invalid);
+        assert!(record.reason.contains("is not covered"), "{}", record.reason);
+    }
+    for table in ["table_4_3.csv", "table_4_4_i.csv", "table_quality.csv", "table_memory.csv"] {
+        assert!(text(&shop, &format!("out/{table}")).contains(",greedy,"), "{table}");
+    }
+    for plot in ["plots/total_scans.csv", "plots/stack_4_3.csv"] {
+        assert!(text(&shop, &format!("out/{plot}")).contains("greedy"), "{plot}");
+    }
+    assert!(text(&shop, "out/index.html").contains("wall-clock time of its whole process"));
+    assert!(!shop.path("out/meshes").exists(), "files of programs are removed");
+    // The verdicts do not hang on the name of the experiment.
+    let verdicts = text(&shop, "out/compare.csv");
+    let verdict = verdicts.lines().find(|line| line.starts_with("ps-percent,")).unwrap();
+    assert!(verdict.contains("botijo (stand-in) "), "{verdict}");
+    // Only what was not begun is tried again.
+    let said = shop.failed("run mine.toml --scale demo --out out");
+    assert!(said.contains("4 runs to do"), "{said}");
+    assert_eq!(shop.results("out").records, records);
+}
+
+#[cfg(unix)]
+#[test]
+fn what_a_program_says_of_itself_is_taken_and_limits_hold() {
+    let shop = Workshop::new();
+    let triquad = env!("CARGO_BIN_EXE_triquad");
+    let own = format!(
+        "command = ['{triquad}', 'convert', '{{mesh}}', '-o', '{{quads}}', '--algorithm', 'sg', \
+         '--seed', '{{seed}}', '--stats', '{{stats}}']\nstats = '{{stats}}'\nformat = 'ply'"
+    );
+    let slow = "command = ['sleep', '60', '{mesh}', '{quads}']";
+    let programs = [("own", &own[..]), ("slow", slow)];
+    std::fs::write(shop.path("mine.toml"), experiment(&programs)).unwrap();
+    shop.failed("run mine.toml --scale demo --timeout 1 --out out");
+    let records = shop.results("out").records;
+    for record in of(&records, "own") {
+        let measured = &record.measured;
+        assert!(record.is_ok(), "{}", record.reason);
+        assert!(measured.unpaired_triangles > Some(0) && measured.augmenting_paths > Some(0));
+        assert!(measured.pairing_seconds.is_some());
+        assert!(measured.total_seconds.unwrap() < record.process_seconds);
+    }
+    let slow = of(&records, "slow");
+    // `sleep` refuses a name for a time, or does not end in time.
+    assert!(slow.iter().all(|record| record.outcome != Outcome::Ok));
+}
+
+#[test]
+fn two_columns_of_somebody_else_reach_the_tables() {
+    let shop = Workshop::new();
+    std::fs::write(shop.path("two.csv"), "graph,time\nBotijo,0.5\nHappy Buddha,7\n").unwrap();
+    let import = "import two.csv --algorithm mymatch --out out --map ";
+    shop.succeed(&format!("{import}graph=mesh,time=total_seconds"));
+    assert!(text(&shop, "out/table_4_3.csv").contains("happy-buddha,mymatch,,,,,7.00000000,real,"));
+    assert!(text(&shop, "out/index.html").contains("mymatch"));
+    let refused = |mapping: &str| shop.refused(&format!("{import}{mapping}"));
+    assert!(refused("graph=mesh,time=totalseconds").contains("nearest is \"total_seconds\""));
+    assert!(refused("graf=mesh").contains("no column \"graf\"; the nearest is \"graph\""));
+    assert!(refused("time=total_seconds").contains("\"graph\" is not known"));
+    assert!(refused("graph=mesh,time=-").contains("no column has a number"));
+    std::fs::write(shop.path("two.csv"), "mesh,seconds\nbotjo,0.5\n").unwrap();
+    let refused = shop.refused("import two.csv --algorithm mymatch --out out");
+    assert!(refused.contains("line 2: \"botjo\" is no mesh"), "{refused}");
+    assert!(refused.contains("nearest is \"botijo\""), "{refused}");
+    shop.succeed("import two.csv --algorithm mymatch --out out --other-meshes");
+    assert!(text(&shop, "out/table_data.csv").contains("botjo,mymatch,"));
+    std::fs::write(shop.path("tests.csv"), "mesh,link_condition_tests\nB0,2e6\n").unwrap();
+    shop.succeed("import tests.csv --algorithm mine --out out");
+    assert!(text(&shop, "out/table_6.csv").contains("mine_link_condition_tests"));
+    assert!(text(&shop, "out/table_6.csv").contains("ir-B0,,,,,,,2000000.0,"));
+}
+
+#[test]
+fn tables_are_compared_with_a_baseline_number_by_number() {
+    let shop = Workshop::new();
+    let rows = "mesh,unpaired_triangles,total_seconds\nbotijo,10,0.5\nbotijo,20,0.7\n";
+    std::fs::write(shop.path("rows.csv"), rows).unwrap();
+    shop.succeed("import rows.csv --algorithm ps --out one");
+    let halved = rows.replace("0.5", "0.25").replace("0.7", "0.35");
+    std::fs::write(shop.path("rows.csv"), halved).unwrap();
+    shop.succeed("import rows.csv --algorithm ps --out two");
+    shop.succeed("compare one --baseline paper");
+    let table = text(&shop, "one/baseline/table_4_3.csv");
+    assert!(table.starts_with("mesh,algorithm,number,ours,theirs,ratio,ratio_low,ratio_high\n"));
+    assert!(
+        table.contains("botijo,PS,unpaired_triangles,15.0,10.6,1.415,0.9434,1.887\n"),
+        "{table}"
+    );
+    let output = shop.run("compare one --baseline two");
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("total_seconds") && said.contains("2.000"), "{said}");
+    let table = text(&shop, "one/baseline/table_4_3.csv");
+    let row = table.lines().find(|line| line.contains(",total_seconds,")).unwrap();
+    assert!(row.starts_with("botijo,PS,total_seconds,0.60000000,0.30000000,2.000,"), "{row}");
+    assert!(shop.refused("compare one --baseline three").contains("three"));
+}
+
+#[test]
+fn the_papers_tables_are_printed() {
+    let shop = Workshop::new();
+    let said = |arguments: &str| String::from_utf8(shop.run(arguments).stdout).unwrap();
+    assert_eq!(said("paper").lines().count(), 16);
+    let table = include_str!("../../../experiments/paper/table_4_3.csv");
+    for name in ["4.3", "table_4_3", "table_4_3.csv"] {
+        assert_eq!(said(&format!("paper {name}")), table);
+    }
+    assert!(shop.refused("paper 4.4(iii)").contains("the nearest is \"4.4(ii)\""));
+}

@@ -1,0 +1,412 @@
+//! Results that others have measured, read from a file of comma-separated values.
+//!
+//! Two columns are needed: the mesh, and one number of [`Measured`]. What else `runs.csv` has is
+//! taken where it is there and has a default where it is not.
+
+use csv::StringRecord;
+use serde::Deserialize;
+
+use super::job::Job;
+use super::machine::hash_of_words;
+use super::measured::Measured;
+use super::record::{Outcome, RunRecord};
+use super::results::{Planned, column_names};
+use super::run_id::{MeshId, RunId};
+use super::task::Task;
+use crate::meshes::paper::{self, PaperMesh, Scale};
+use crate::meshes::{MeshKind, Recipe};
+use crate::nearest::nearest;
+use crate::paper::Paper;
+
+/// How a file is to be read.
+#[derive(Clone, Debug)]
+pub struct ImportSettings {
+    /// Algorithm of all rows; one of ours, or any other name.
+    pub algorithm: String,
+    /// What the algorithm makes, if that does not follow from its name or the columns.
+    pub task: Option<Task>,
+    /// How large the meshes of the papers were.
+    pub scale: Scale,
+    /// Names of columns in the file and in `runs.csv`; `-` for a column that is to be left out.
+    pub mapping: Vec<(String, String)>,
+    /// Whether there may be meshes that the papers do not have.
+    pub allows_other_meshes: bool,
+}
+
+/// Rows that were read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Imported {
+    /// One row a run.
+    pub records: Vec<RunRecord>,
+    /// Counts that were no whole numbers, as means are not, and were rounded.
+    pub rounded: usize,
+}
+
+/// Why a file cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum ImportError {
+    /// It is no table of comma-separated values.
+    #[error("it cannot be read: {0}")]
+    Csv(#[from] csv::Error),
+    /// There is no column for the mesh.
+    #[error("no column says which mesh; map one to it: --map \"NAME=mesh\"")]
+    NoMesh,
+    /// There is no column with a number.
+    #[error("no column has a number; map one to it: --map \"NAME=total_seconds\"")]
+    NoNumber,
+    /// There are no rows.
+    #[error("it has no rows")]
+    NoRows,
+    /// A column is not known.
+    #[error(
+        "the column {name:?} is not known; the nearest name is {nearest:?}: --map \
+         \"{name}={nearest}\", or --map \"{name}=-\" to leave it out"
+    )]
+    UnknownColumn {
+        /// The column.
+        name: String,
+        /// The known name that is most like it.
+        nearest: String,
+    },
+    /// A mapping leads to no known name.
+    #[error("--map: {name:?} is no column of runs.csv; the nearest is {nearest:?}")]
+    UnknownTarget {
+        /// The name.
+        name: String,
+        /// The known name that is most like it.
+        nearest: String,
+    },
+    /// A mapping is of a column that the file does not have.
+    #[error("--map: the file has no column {name:?}; the nearest is {nearest:?}")]
+    UnknownSource {
+        /// The name.
+        name: String,
+        /// The column that is most like it.
+        nearest: String,
+    },
+    /// Two columns would be the same.
+    #[error("two columns are {0:?}; leave one out: --map \"NAME=-\"")]
+    Twice(String),
+    /// A mesh is not known.
+    #[error(
+        "line {line}: {name:?} is no mesh of the papers; the nearest is {nearest:?}. Write that, \
+         or allow others with --other-meshes"
+    )]
+    UnknownMesh {
+        /// Line, from 1.
+        line: u64,
+        /// The mesh.
+        name: String,
+        /// The known mesh that is most like it.
+        nearest: String,
+    },
+    /// A field is not what its column is.
+    #[error("line {line}, column {column:?}: {value:?} is no {expected}")]
+    BadField {
+        /// Line, from 1.
+        line: u64,
+        /// The column, as in `runs.csv`.
+        column: String,
+        /// What stands there.
+        value: String,
+        /// What should stand there.
+        expected: &'static str,
+    },
+}
+
+/// The columns that are no numbers of a run.
+#[derive(Deserialize)]
+struct PlaceColumns {
+    mesh: String,
+    mesh_kind: Option<MeshKind>,
+    repetition: Option<u32>,
+    seed: Option<u64>,
+    outcome: Option<Outcome>,
+    reason: Option<String>,
+    parallel_jobs: Option<u32>,
+    stopped_after_paths: Option<u64>,
+    program: Option<String>,
+    command: Option<String>,
+    process_seconds: Option<f64>,
+}
+
+/// Their names.
+const PLACE_COLUMNS: [&str; 11] = [
+    "mesh",
+    "mesh_kind",
+    "repetition",
+    "seed",
+    "outcome",
+    "reason",
+    "parallel_jobs",
+    "stopped_after_paths",
+    "program",
+    "command",
+    "process_seconds",
+];
+
+/// Columns that belong to the mesh: they alone are no result.
+const SIZES: [&str; 5] = ["vertices", "edges", "triangles", "genus", "components"];
+
+/// Columns that only irreducible triangulations have.
+const OF_REDUCTIONS: [&str; 6] = [
+    "result_vertices",
+    "result_edges",
+    "result_triangles",
+    "contractions",
+    "link_condition_tests",
+    "edges_tested_more_than_once",
+];
+
+/// Reads the text of a file.
+///
+/// # Errors
+/// It lacks the mesh or any number, or a name in it is not known: the nearest known one is named.
+pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportError> {
+    let text = text.trim_start_matches('\u{feff}');
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let header = reader.headers()?.clone();
+    let columns = columns(&header, settings)?;
+    let rows = reader.records().collect::<Result<Vec<StringRecord>, _>>()?;
+    let first = rows.first().ok_or(ImportError::NoRows)?;
+    let mesh_of_first = columns.iter().position(|column| column == "mesh").map(|at| &first[at]);
+    let job = job(settings, &columns, mesh_of_first.unwrap_or_default());
+    // Of the two tasks' times, the one that the other calls so too.
+    let columns = with_times_of(job.task(), columns);
+    let names = StringRecord::from(columns.clone());
+    let mut imported = Imported { records: Vec::new(), rounded: 0 };
+    for row in rows {
+        let row = checked(&row, &columns, &mut imported.rounded)?;
+        let record = record(&row, &names, job, settings, &imported.records)?;
+        imported.records.push(record);
+    }
+    Ok(imported)
+}
+
+impl Imported {
+    /// Returns the plan that these rows fulfil.
+    pub fn planned(&self) -> Vec<Planned> {
+        let mut planned: Vec<Planned> = Vec::new();
+        for record in &self.records {
+            let repetitions = record.repetition + 1;
+            match planned.iter_mut().find(|row| row.id == record.id) {
+                Some(row) => row.repetitions = row.repetitions.max(repetitions),
+                None => planned.push(Planned { id: record.id.clone(), repetitions }),
+            }
+        }
+        planned
+    }
+}
+
+/// Returns the names in `runs.csv` of the columns of the file; `-` for those that are left out.
+fn columns(header: &StringRecord, settings: &ImportSettings) -> Result<Vec<String>, ImportError> {
+    let known = known_columns();
+    let nearest_of = |name: &str, known: &[String]| {
+        nearest(name, known.iter().map(String::as_str)).unwrap_or_default().to_owned()
+    };
+    let header: Vec<String> = header.iter().map(str::to_owned).collect();
+    for (from, to) in &settings.mapping {
+        if !header.contains(from) {
+            let nearest = nearest_of(from, &header);
+            return Err(ImportError::UnknownSource { name: from.clone(), nearest });
+        }
+        if to != "-" && !known.contains(to) {
+            let nearest = nearest_of(to, &known);
+            return Err(ImportError::UnknownTarget { name: to.clone(), nearest });
+        }
+    }
+    let mapped = |name: &String| {
+        let mapping = settings.mapping.iter().find(|(from, _)| from == name);
+        mapping.map_or(name, |(_, to)| to).clone()
+    };
+    let columns: Vec<String> = header.iter().map(mapped).collect();
+    for (i, column) in columns.iter().enumerate().filter(|(_, column)| *column != "-") {
+        if !known.contains(column) {
+            let nearest = nearest_of(column, &known);
+            return Err(ImportError::UnknownColumn { name: column.clone(), nearest });
+        }
+        if columns[..i].contains(column) {
+            return Err(ImportError::Twice(column.clone()));
+        }
+    }
+    if !columns.iter().any(|column| column == "mesh") {
+        return Err(ImportError::NoMesh);
+    }
+    let is_number = |column: &&String| {
+        let other = PLACE_COLUMNS.iter().chain(&SIZES).chain(&["-"]);
+        !other.into_iter().any(|other| other == column)
+    };
+    columns.iter().find(is_number).ok_or(ImportError::NoNumber)?;
+    Ok(columns)
+}
+
+fn known_columns() -> Vec<String> {
+    let all = column_names().unwrap_or_default();
+    let names: Vec<&str> = all.split(',').collect();
+    let first = names.iter().position(|name| *name == "vertices").unwrap_or(names.len());
+    let known = PLACE_COLUMNS.iter().chain(&names[first..]);
+    known.map(|name| (*name).to_owned()).collect()
+}
+
+/// Returns the job of all rows.
+fn job(settings: &ImportSettings, columns: &[String], mesh: &str) -> Job {
+    let name = settings.algorithm.as_str();
+    let is_reduction = columns.iter().any(|column| OF_REDUCTIONS.contains(&column.as_str()));
+    let of_second_paper = mesh.to_lowercase().starts_with("ir-");
+    let task = match settings.task {
+        Some(task) => task,
+        None if is_reduction || of_second_paper => Task::Irreducible,
+        None => Task::Convert,
+    };
+    match Job::named(name) {
+        Ok(job) if settings.task.is_none_or(|task| task == job.task()) => job,
+        _ => Job::program(task, name),
+    }
+}
+
+/// Returns the columns with the name that a task has for its time: a lone `seconds` of a conversion
+/// is its total, a lone total of a reduction its `seconds`.
+fn with_times_of(task: Task, mut columns: Vec<String>) -> Vec<String> {
+    let (from, to) = match task {
+        Task::Convert => ("seconds", "total_seconds"),
+        Task::Irreducible => ("total_seconds", "seconds"),
+    };
+    if !columns.iter().any(|column| column == to) {
+        for column in columns.iter_mut().filter(|column| *column == from) {
+            to.clone_into(column);
+        }
+    }
+    columns
+}
+
+/// Returns the row with whole counts, if every number is one.
+fn checked(
+    row: &StringRecord,
+    columns: &[String],
+    rounded: &mut usize,
+) -> Result<StringRecord, ImportError> {
+    let line = row.position().map_or(0, csv::Position::line);
+    let mut fields = Vec::new();
+    for (field, column) in row.iter().zip(columns) {
+        let bad = |expected| ImportError::BadField {
+            line,
+            column: column.clone(),
+            value: field.into(),
+            expected,
+        };
+        let is_text = PLACE_COLUMNS.contains(&column.as_str()) || column == "-";
+        if is_text || field.is_empty() {
+            fields.push(field.to_owned());
+            continue;
+        }
+        let is_fraction =
+            ["seconds", "percent", "mean", "minimum"].iter().any(|ending| column.ends_with(ending));
+        let value: f64 = field.parse().map_err(|_| bad("number"))?;
+        if !value.is_finite() || value < 0.0 && !column.starts_with("quality") {
+            return Err(bad("number from 0"));
+        }
+        if is_fraction || field.parse::<u64>().is_ok() {
+            fields.push(field.to_owned());
+        } else {
+            *rounded += usize::from(value.fract() != 0.0);
+            fields.push(format!("{value:.0}"));
+        }
+    }
+    let mut checked = StringRecord::from(fields);
+    checked.set_position(row.position().cloned());
+    Ok(checked)
+}
+
+fn record(
+    row: &StringRecord,
+    names: &StringRecord,
+    job: Job,
+    settings: &ImportSettings,
+    before: &[RunRecord],
+) -> Result<RunRecord, ImportError> {
+    let place: PlaceColumns = row.deserialize(Some(names))?;
+    let measured: Measured = row.deserialize(Some(names))?;
+    let line = row.position().map_or(0, csv::Position::line);
+    let mesh = find_mesh(&place.mesh, job.task(), settings);
+    let mesh = match mesh {
+        None if !settings.allows_other_meshes || place.mesh.is_empty() => {
+            let known = paper::ALL.iter().map(|mesh| mesh.name);
+            let nearest = nearest(&place.mesh, known).unwrap_or_default().into();
+            return Err(ImportError::UnknownMesh { line, name: place.mesh, nearest });
+        }
+        found => found,
+    };
+    let name = mesh.map_or(place.mesh.as_str(), |mesh| mesh.name);
+    let paper = Paper::on(job.task());
+    let id = RunId {
+        mesh: MeshId {
+            experiment: paper.experiment().into(),
+            scale: settings.scale,
+            group: paper.group_of(name).into(),
+            name: name.replace(char::is_control, " "),
+        },
+        job,
+    };
+    let earlier = before.iter().filter(|record| record.id == id).count() as u32;
+    let repetition = place.repetition.unwrap_or(earlier);
+    let key = ["import", &settings.algorithm, name, settings.scale.id(), &repetition.to_string()];
+    let plain = |text: Option<String>| text.unwrap_or_default().replace(char::is_control, " ");
+    Ok(RunRecord {
+        key: hash_of_words(&key),
+        id,
+        mesh_kind: place.mesh_kind.or(mesh.map(kind_of)).unwrap_or(MeshKind::Real),
+        mesh_sha256: String::new(),
+        repetition,
+        seed: place.seed.unwrap_or(0),
+        outcome: place.outcome.unwrap_or_default(),
+        reason: plain(place.reason),
+        parallel_jobs: place.parallel_jobs.unwrap_or(1),
+        stopped_after_paths: place.stopped_after_paths,
+        program: place.program.map_or("external".into(), |program| plain(Some(program))),
+        machine: machine_name(&settings.algorithm),
+        command: plain(place.command),
+        process_seconds: place.process_seconds.unwrap_or(0.0),
+        measured: with_sizes(measured, mesh),
+    })
+}
+
+/// Returns the name under which the source of imported rows stands in `machines.json`.
+pub fn machine_name(algorithm: &str) -> String {
+    format!("imported {algorithm}")
+}
+
+/// Returns the mesh of the papers that is called so: letters of either case, blanks, underscores
+/// and hyphens are the same, and the second paper's boxes need no `ir-`.
+fn find_mesh(name: &str, task: Task, settings: &ImportSettings) -> Option<PaperMesh> {
+    let plain = |name: &str| name.to_lowercase().replace(['_', ' '], "-");
+    let find = |name: &str| {
+        let mesh = paper::ALL.iter().find(|mesh| plain(mesh.name) == name);
+        mesh.map(|mesh| mesh.at(settings.scale))
+    };
+    let name = plain(name);
+    let of_second_paper = || find(&format!("ir-{name}"));
+    match task {
+        Task::Convert => find(&name),
+        Task::Irreducible => of_second_paper().or_else(|| find(&name)),
+    }
+}
+
+/// Returns the kind of a mesh that others have: the scans themselves, not stand-ins.
+fn kind_of(mesh: PaperMesh) -> MeshKind {
+    match mesh.recipe {
+        Recipe::StandIn { .. } => MeshKind::Real,
+        _ => mesh.kind(),
+    }
+}
+
+/// Fills in the sizes of a mesh of the papers.
+fn with_sizes(measured: Measured, mesh: Option<PaperMesh>) -> Measured {
+    let Some(mesh) = mesh else { return measured };
+    Measured {
+        vertices: measured.vertices.or(Some(mesh.vertices.into())),
+        edges: measured.edges.or(Some(mesh.edges().into())),
+        triangles: measured.triangles.or(Some(mesh.triangles().into())),
+        genus: measured.genus.or(Some(mesh.genus.into())),
+        ..measured
+    }
+}

@@ -1,0 +1,71 @@
+//! Every symbol and every algorithm in a line.
+
+use serde::Serialize;
+
+use crate::experiment::Task;
+use crate::report::summary::Summary;
+
+/// A word and its meaning.
+#[derive(Serialize)]
+pub struct Definition {
+    word: String,
+    meaning: String,
+}
+
+/// Symbols of both papers.
+const SYMBOLS: [(&str, &str); 13] = [
+    ("n_v, n_e, n_f", "vertices, edges and triangles of a triangulation; n is n_f"),
+    ("g", "genus: handles of the surface, summed over its components"),
+    ("k", "triangles that SG or PS leave unpaired, column (c)"),
+    ("ℓ (comparison)", "triangles that LRS leaves unpaired, column (c)"),
+    ("α", "k / n_f: the share of triangles left unpaired"),
+    ("(a), (d), (e)", "seconds of the initial pairing, of the augmentation, and of both"),
+    ("(b)", "triangles in the initial pairing, in per cent"),
+    ("ℓ (irreducible)", "tests of the link condition: may this edge be contracted?"),
+    ("ε", "edges tested more than once"),
+    ("t", "seconds of RS, S or BF"),
+    ("scaled Jacobian", "shape of a quad: 1 for a rectangle, 0 or less where it is not convex"),
+    ("tarjan", "augmentation as published: a search over the whole mesh for each path"),
+    ("local", "our augmentation: a search touches only what it visits"),
+];
+
+/// Algorithms.
+const ALGORITHMS: [(&str, &str); 11] = [
+    ("SG", "simple greedy: takes edges in random order, pairs their triangles if both are free"),
+    ("PS", "Pulli and Segal: greedy with four priorities, from triangles in random order"),
+    ("DS", "Diks and Stanczyk: a perfect pairing at once, in O(n log² n)"),
+    ("LRS", "Lemos, Ramaswami, Siqueira: contracts to an irreducible triangulation, expands again"),
+    ("LRS few-flips", "LRS with an expansion of ours that keeps more of the input's edges"),
+    ("GW", "Gawrychowski and Wasylkiewicz: a perfect pairing at once, in O(n log n)"),
+    ("BEST", "ours: the perfect pairing of least total cost; the default of triquad convert"),
+    ("TQ", "ours: a perfect pairing as fast as the machine allows, without regard to shape"),
+    ("RS", "Ramaswami and Siqueira: irreducible triangulations, each edge tested once"),
+    ("S", "Schipper: contracts at a vertex of least degree"),
+    ("BF", "brute force: tests edges in random order until none can be contracted"),
+];
+
+/// Returns the definitions; programs that are not ours after the algorithms.
+pub fn definitions(summary: &Summary) -> Vec<Definition> {
+    let known = ALGORITHMS.iter().chain(&SYMBOLS);
+    let known = known
+        .map(|(word, meaning)| Definition { word: (*word).into(), meaning: (*meaning).into() });
+    known.chain(programs(summary)).collect()
+}
+
+fn programs(summary: &Summary) -> impl Iterator<Item = Definition> {
+    let mut programs: Vec<(String, String)> = Vec::new();
+    for cell in summary.cells().iter().filter(|cell| cell.id.job.is_program()) {
+        let what = match cell.id.job.task() {
+            Task::Convert => "quads",
+            Task::Irreducible => "irreducible triangulations",
+        };
+        let version =
+            cell.runs.iter().map(|run| run.program.as_str()).find(|text| !text.is_empty());
+        let version = version.map_or(String::new(), |version| format!(": {version}"));
+        let meaning = format!("not ours, makes {what}{version}");
+        if programs.iter().all(|program| program.0 != cell.label()) {
+            programs.push((cell.label(), meaning));
+        }
+    }
+    programs.into_iter().map(|(word, meaning)| Definition { word, meaning })
+}

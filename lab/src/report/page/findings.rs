@@ -1,0 +1,125 @@
+//! What was found, in five sentences, each with a link to its evidence.
+
+use serde::Serialize;
+
+use super::lrs_against_ps::LrsAgainstPs;
+use super::parts::Parts;
+use crate::paper::{Paper, Table, TableKind};
+use crate::report::claims::ClaimKind;
+use crate::report::compare::Verdict;
+use crate::report::tables::{ReportTable, Row, Value};
+
+/// A sentence and where its evidence is.
+#[derive(Serialize)]
+pub struct Finding {
+    sentence: String,
+    target: String,
+    evidence: &'static str,
+}
+
+/// A count equals the printed one as far as a reader cares within this factor.
+const CLOSE: f64 = 1.015;
+
+/// Returns the findings.
+pub fn findings(parts: &Parts, duel: &LrsAgainstPs) -> Vec<Finding> {
+    let finding = |sentence: String, target: &str, evidence| Finding {
+        sentence,
+        target: target.into(),
+        evidence,
+    };
+    vec![
+        finding(verdicts(parts), "verdicts", "every verdict"),
+        finding(meshes(parts), "table-6", "the counts"),
+        finding(ranking(duel), "better-augmentation", "mesh by mesh"),
+        finding(reductions(parts), "table-7", "the ratios"),
+        finding(errata(parts), "verdict-paper-inconsistent", "the contradictions"),
+    ]
+}
+
+/// Counts the verdicts by kind of claim.
+fn verdicts(parts: &Parts) -> String {
+    let judged = &parts.comparison.verdicts;
+    let of = |kind: ClaimKind| {
+        let own = judged.iter().filter(move |judged| judged.kind == kind);
+        let reproduced = own.clone().filter(|judged| judged.verdict == Verdict::Reproduced).count();
+        let differs = own.clone().filter(|judged| judged.verdict == Verdict::Differs).count();
+        (reproduced, reproduced + differs)
+    };
+    let [counts, ratios, growth] =
+        [ClaimKind::MachineFree, ClaimKind::Ratio, ClaimKind::Exponent].map(of);
+    format!(
+        "Of {} claims of the two papers, {} of {} about counts that could be decided are \
+         reproduced, {} of {} about ratios of times, and {} of {} about growth.",
+        judged.len(),
+        counts.0,
+        counts.1,
+        ratios.0,
+        ratios.1,
+        growth.0,
+        growth.1
+    )
+}
+
+/// Counts the meshes on which RS makes as many tests as printed.
+fn meshes(parts: &Parts) -> String {
+    let column = "rs_link_condition_tests";
+    let rows = numbers(parts, TableKind::LinkTests, column);
+    let is_close = |(ours, paper): &&(f64, f64)| {
+        let ratio = ours / paper;
+        ratio <= CLOSE && ratio * CLOSE >= 1.0
+    };
+    let close = rows.iter().filter(is_close).count();
+    format!(
+        "The printed counts of link condition tests depend on the proportions of the papers' box, \
+         which they do not give: on ours RS makes the printed number within 1.5 % on {close} of \
+         {} meshes.",
+        rows.len()
+    )
+}
+
+fn ranking(duel: &LrsAgainstPs) -> String {
+    format!("Does LRS beat PS, whatever the augmentation? {}", duel.answer())
+}
+
+/// Counts the meshes on which RS is faster than S and BF.
+fn reductions(parts: &Parts) -> String {
+    let faster = |column: &str| {
+        let ratios = numbers(parts, TableKind::Ratios, column);
+        let faster = ratios.iter().filter(|(ours, _)| *ours > 1.0).count();
+        format!("{faster} of {}", ratios.len())
+    };
+    format!(
+        "RS computes irreducible triangulations faster than S on {} boxes and faster than BF on \
+         {}; its tests are fewer than those of BF on {}.",
+        faster("schipper_to_rs_seconds"),
+        faster("brute_force_to_rs_seconds"),
+        faster("brute_force_to_rs_tests")
+    )
+}
+
+/// Counts what the papers contradict themselves in.
+fn errata(parts: &Parts) -> String {
+    let inconsistent = parts.comparison.count(Verdict::PaperInconsistent);
+    let rows: usize = Table::ALL.iter().map(Table::errata).sum();
+    format!(
+        "The papers contradict themselves in {rows} rows of their tables and in {inconsistent} of \
+         these claims, and the pseudo-code of RS needs four corrections to do what it is meant to."
+    )
+}
+
+/// Returns our numbers and the printed ones of a column in the second paper's tables of a kind.
+fn numbers(parts: &Parts, kind: TableKind, column: &str) -> Vec<(f64, f64)> {
+    let is_meant = |table: &&ReportTable| {
+        table.paper.is_some_and(|paper| (paper.paper, paper.kind) == (Paper::Irreducible, kind))
+    };
+    let of_table = |table: &ReportTable| -> Vec<(f64, f64)> {
+        let place = table.columns.iter().position(|other| other.name == column);
+        let pair = |row: &Row| {
+            let cell = &row.cells[place?];
+            let number = |value: &Value| value.number();
+            Some((number(&cell.ours)?, number(&cell.paper)?))
+        };
+        table.rows.iter().filter_map(pair).collect()
+    };
+    parts.tables.iter().filter(is_meant).flat_map(of_table).collect()
+}

@@ -1,0 +1,103 @@
+"""Mesh files."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from triquad import _native
+from triquad._arrays import face_array, index_array, vertices_array
+
+
+def read(
+    path: str | os.PathLike[str], *, triangulate: bool = False
+) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
+    """Read a mesh file: OBJ, PLY, OFF or STL, each also with .gz.
+
+    Parameters
+    ----------
+    path : str or path
+        The file. Its extension names the format.
+    triangulate : bool
+        Cut faces of four or more corners into triangles.
+
+    Returns
+    -------
+    vertices : ndarray, shape (n, 3), float64
+        All vertices, in file order. Those of STL are welded where coordinates are equal.
+    faces : ndarray, shape (m, k), uint32
+        Corners of the faces, from 0.
+
+    Raises
+    ------
+    OSError
+        The file cannot be opened.
+    MeshError
+        It is malformed, or faces differ in size; ``element`` has the line or byte.
+
+    Examples
+    --------
+    >>> import triquad, tempfile, os
+    >>> path = os.path.join(tempfile.mkdtemp(), "triangle.obj")
+    >>> triquad.write(path, [[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> vertices, faces = triquad.read(path)
+    >>> faces.tolist()
+    [[0, 1, 2]]
+    """
+    return _native.read(os.fspath(path), bool(triangulate))
+
+
+def write(
+    path: str | os.PathLike[str],
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    leftover: ArrayLike | None = None,
+) -> None:
+    """Write a mesh file: OBJ, PLY or OFF, each also with .gz.
+
+    Coordinates read back to the same numbers. The file appears when it is complete.
+
+    Parameters
+    ----------
+    path : str or path
+        The file. Its extension names the format.
+    vertices : array_like, shape (n, 3), float64
+        Coordinates.
+    faces : array_like, shape (m, 3) or (m, 4), any integer dtype
+        Corners of triangles or quads, from 0.
+    leftover : array_like, shape (k, 3), any integer dtype, optional
+        Triangles to be written behind the faces.
+
+    Raises
+    ------
+    OSError
+        The file cannot be written.
+    MeshError
+        The format is not known or not written, or an index is negative or too large.
+    TypeError, ValueError
+        An argument has the wrong type or shape.
+
+    Examples
+    --------
+    >>> import triquad, tempfile, os
+    >>> path = os.path.join(tempfile.mkdtemp(), "square.off")
+    >>> triquad.write(path, [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
+    >>> open(path).read().split()[:4]
+    ['OFF', '4', '1', '0']
+    """
+    positions = vertices_array(vertices)
+    given = face_array(faces)
+    triangles = None if leftover is None else index_array("leftover", leftover, 3)
+    for name, array in (("faces", given), ("leftover", triangles)):
+        _check_range(name, array, len(positions))
+    _native.write(os.fspath(path), positions, given, given.shape[1], triangles)
+
+
+def _check_range(name: str, array: NDArray[Any] | None, vertices: int) -> None:
+    if array is not None and array.size and int(array.max()) >= vertices:
+        raise ValueError(
+            f"{name}: index {array.max()} is too large for {vertices} vertices (from 0)"
+        )

@@ -1,0 +1,7 @@
+//! Nodes of at most three sides, each in one half of a cache line.
+
+mod rows;
+mod view;
+
+pub(super) use rows::Rows;
+pub(super) use view::Cubic;

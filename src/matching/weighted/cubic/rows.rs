@@ -1,0 +1,129 @@
+//! All nodes, and how they are read.
+
+use super::super::nodes::NONE;
+use super::super::number::{Number, doubled};
+use super::super::problem::{CubicProblem, NONE as NO_NODE};
+use super::super::refusal::Refusal;
+use super::view::Cubic;
+
+/// One node. 32 bytes with 32-bit numbers.
+///
+/// State, from the lowest bit: mate side (2, 3 for the ground), parent side (2), label (2), whether
+/// there is a mate (1), mark (1), set (the rest).
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub(super) struct Row<N: Number> {
+    pub(super) twins: [u32; 3],
+    pub(super) costs: [N; 3],
+    pub(super) potential: N,
+    pub(super) state: N::State,
+}
+
+/// Where the set begins in a state.
+pub(super) const SET: u32 = 8;
+
+/// A graph in which no node has more than three sides.
+pub(crate) struct Rows<N: Number> {
+    rows: Vec<Row<N>>,
+    /// Empty if no node has one.
+    prices: Vec<Option<N>>,
+}
+
+impl<N: Number> Rows<N> {
+    /// Reads a problem. O(n).
+    pub(crate) fn new(problem: &impl CubicProblem) -> Result<Self, Refusal> {
+        let count = problem.node_count();
+        // Half-edges, and a number for every blossom beyond them, in 32 bits.
+        if count > (u32::MAX / 5) as usize {
+            return Err(Refusal::TooLarge);
+        }
+        let nodes = 0..count as u32;
+        let rows = nodes.clone().map(|node| row(problem, node));
+        let mut rows = rows.collect::<Result<Vec<_>, _>>()?;
+        nodes.clone().try_for_each(|node| join(&mut rows, node))?;
+        let prices = if nodes.clone().any(|node| problem.price(node).is_some()) {
+            let price = |node| problem.price(node).map(doubled).transpose();
+            nodes.map(price).collect::<Result<_, _>>()?
+        } else {
+            Vec::new()
+        };
+        Ok(Self { rows, prices })
+    }
+
+    /// Returns the number of nodes.
+    pub(crate) fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Returns a view of all nodes.
+    pub(crate) fn whole(&mut self) -> Cubic<'_, N, false> {
+        let count = self.rows.len() as u32;
+        Cubic { rows: &mut self.rows, prices: &self.prices, first: 0, count }
+    }
+
+    /// Returns views of `parts` ranges of nodes, about equally many in each, in order.
+    pub(crate) fn parts(&mut self, parts: usize) -> Vec<Cubic<'_, N, true>> {
+        let Self { rows, prices } = self;
+        let count = rows.len() as u32;
+        let end = |part: usize| (u64::from(count) * part as u64 / parts as u64) as u32;
+        let mut rest = rows.as_mut_slice();
+        let view = |part: usize| {
+            let (first, length) = (end(part), (end(part + 1) - end(part)) as usize);
+            let (rows, tail) = std::mem::take(&mut rest).split_at_mut(length);
+            rest = tail;
+            Cubic { rows, prices, first, count }
+        };
+        (0..parts).map(view).collect()
+    }
+}
+
+/// State of a node without mate, label, mark and set.
+const EMPTY: u64 = u64::MAX << SET;
+
+/// Reads a node; neighbours stand for twins. The lowest three bits of the state are for [`join`].
+#[inline]
+fn row<N: Number>(problem: &impl CubicProblem, node: u32) -> Result<Row<N>, Refusal> {
+    let neighbours = problem.neighbours(node);
+    let costs = problem.costs(node);
+    let mut row =
+        Row { twins: [NONE; 3], costs: [N::ZERO; 3], potential: N::ZERO, state: N::state(EMPTY) };
+    for (side, neighbour) in neighbours.into_iter().enumerate() {
+        if neighbour != NO_NODE && neighbour != node {
+            row.twins[side] = neighbour;
+            row.costs[side] = doubled(costs[side])?;
+        }
+    }
+    Ok(row)
+}
+
+/// Makes twins of a node's sides to later nodes; those to earlier ones have been made.
+///
+/// Several edges between two nodes correspond by cost, equal ones in the order of the sides. Bit i
+/// of a state says whether side i has its twin.
+#[inline]
+fn join<N: Number>(rows: &mut [Row<N>], node: u32) -> Result<(), Refusal> {
+    let row = rows[node as usize];
+    let joined: u64 = row.state.into();
+    for side in 0..3 {
+        let neighbour = row.twins[side];
+        if joined >> side & 1 != 0 || neighbour == NONE {
+            continue;
+        }
+        let asymmetric = Refusal::Asymmetric(node, neighbour);
+        if neighbour < node {
+            return Err(asymmetric);
+        }
+        let other = rows.get_mut(neighbour as usize).ok_or(Refusal::NoSuchNode(neighbour))?;
+        let theirs: u64 = other.state.into();
+        let is_back = |&i: &usize| {
+            let is_open = theirs >> i & 1 == 0;
+            is_open && other.twins[i] == node && other.costs[i] == row.costs[side]
+        };
+        let back = (0..3).find(is_back).ok_or(asymmetric)?;
+        other.twins[back] = 4 * node + side as u32;
+        other.state = N::state(theirs | 1 << back);
+        rows[node as usize].twins[side] = 4 * neighbour + back as u32;
+    }
+    rows[node as usize].state = N::state(EMPTY);
+    Ok(())
+}
