@@ -9,7 +9,7 @@ use triquad::{ConvertError, DefaultCost, ShapeCost};
 use crate::failure::Failure;
 
 /// What the best pairing is the best of.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(next_help_heading = "What best aims at")]
 pub struct AimOptions {
     /// What best minimises the sum of: default (shape, folded quads and sharp edges weighed), shape

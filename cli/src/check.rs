@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         _ => String::new(),
     };
     drop(status);
-    stdio::say(&(describe(arguments, &report) + &proof))
+    stdio::summarise(&(describe(arguments, &report) + &proof))
 }
 
 /// Reads the triangulation whose triangles were paired.

@@ -1,6 +1,6 @@
 //! `triquad convert`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
@@ -14,6 +14,7 @@ use crate::formats::{may_write, reads};
 use crate::input::{self, Repairs};
 use crate::names::one_of;
 use crate::progress::StatusLine;
+use crate::several::Several;
 use crate::targets::{Paths, Targets};
 use crate::{certificate, comparison, machine, stdio};
 
@@ -23,9 +24,10 @@ use crate::{certificate, comparison, machine, stdio};
 /// flips edges); no vertex is added, removed or moved, and the result is checked before it is
 /// written. On a closed surface no triangle is left over. Texture coordinates, normals, groups and materials of an OBJ file are carried over to
 /// OBJ output.
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(after_help = "Examples:\n  triquad convert bunny.ply.gz -o quads.obj\n  \
                         triquad convert scan.obj --algorithm ps --seed 7 --stats -\n  \
+                        triquad convert scans/*.stl --out-dir quads --format obj\n  \
                         triquad convert part.obj --keep-sharp 30 -o quads.obj --given-up lost.txt\n  \
                         triquad convert terrain.obj --open -o mixed.obj\n  \
                         cat part.obj | triquad convert - -o - > quads.obj")]
@@ -90,6 +92,8 @@ pub struct Arguments {
         "algorithm",
     ])]
     compare: bool,
+    #[command(flatten)]
+    several: Several,
 }
 
 impl Arguments {
@@ -138,8 +142,17 @@ struct Stats<'a> {
     left_out: &'a [String],
 }
 
-/// Reads, converts, checks, writes.
+/// Converts one mesh, or several.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let Arguments { input, output, several, .. } = arguments;
+    several.each(input, output.as_deref(), |input, output| {
+        let (input, output) = (input.to_owned(), output.map(Path::to_owned));
+        convert(&Arguments { input, output, ..arguments.clone() })
+    })
+}
+
+/// Reads, converts, checks, writes.
+fn convert(arguments: &Arguments) -> Result<(), Failure> {
     arguments.check()?;
     let clock = SystemClock::default();
     let mut status = StatusLine::new("reading the mesh");

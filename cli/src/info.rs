@@ -19,9 +19,6 @@ use crate::{input, stdio};
 pub struct Arguments {
     #[arg(value_name = "IN", help = reads("The mesh"))]
     input: PathBuf,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// Everything that is printed of a mesh.
@@ -65,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     status.say("examining the mesh");
     let info = Info::new(arguments.input.display().to_string(), &mesh);
     drop(status);
-    let text = if arguments.json {
+    let text = if stdio::voice().json {
         serde_json::to_string_pretty(&info).map_err(|error| Failure::bad(error.to_string()))?
     } else {
         describe(&info)
