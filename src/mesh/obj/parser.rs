@@ -162,7 +162,7 @@ impl Parser {
             self.list.attributes = Some(Box::new(self.attributes));
         }
         let flags = [(self.has_weights, "vertex weights"), (self.has_colours, "vertex colours")];
-        let flags = flags.into_iter().filter_map(|(seen, what)| seen.then(|| what.to_owned()));
+        let flags = flags.into_iter().filter(|&(seen, _)| seen).map(|(_, what)| what.to_owned());
         self.list.unknown_lines = self.skipped.unknown();
         let unknown = self.list.unknown_lines.clone();
         let notes = notes.into_iter().flatten();
