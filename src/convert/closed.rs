@@ -128,11 +128,7 @@ impl Converter<'_> {
         let system = SystemClock::default();
         let ((initial, shuffle_seconds), seconds) = self.time(|settings| {
             let clock = settings.clock.unwrap_or(&system);
-<<<<<<< HEAD
             let Self { algorithm, lrs_order, .. } = *settings;
-=======
-            let (algorithm, lrs_order) = (settings.algorithm, settings.lrs_order);
->>>>>>> 2de3b6bbd1dc00f9aca710de4d14acf191ddcf98
             algorithm.pair_by_clock(triangulation, lrs_order, &mut random, clock)
         });
         report.shuffle_seconds = shuffle_seconds;
