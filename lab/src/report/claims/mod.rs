@@ -138,7 +138,7 @@ pub struct Claim {
     pub meshes: Vec<String>,
     /// Whether it stands for a claim about every mesh; `{mesh}` is its name then.
     #[serde(default)]
-    each: bool,
+    pub each: bool,
     /// The number that is tested on each mesh.
     pub value: Expression,
     /// The test.
