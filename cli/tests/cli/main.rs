@@ -1,6 +1,7 @@
 //! Tests of the program `triquad`, as a user calls it.
 
 mod defective_meshes;
+mod documents;
 mod experiments;
 mod own_results;
 #[path = "../../../lab/tests/lab/records.rs"]
