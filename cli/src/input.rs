@@ -54,7 +54,11 @@ pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangula
         mesh.triangulate();
     }
     let triangulation = Triangulation::build_oriented(mesh, repairs.orient);
-    triangulation.map_err(|survey| refusal(path, &survey, None))
+    triangulation.map_err(|survey| {
+        let opens = survey.is_open_surface(repairs.orient);
+        let remedy = opens.then_some("only 'convert --open' and check take it as it is");
+        refusal(path, &survey, remedy)
+    })
 }
 
 /// A surface with its mesh.

@@ -1,8 +1,10 @@
 //! Tests of the program `triquad`, as a user calls it.
 
+mod aims;
 mod defective_meshes;
 mod documents;
 mod experiments;
+mod open;
 mod own_results;
 #[path = "../../../lab/tests/lab/records.rs"]
 mod records;
@@ -14,3 +16,4 @@ mod runner;
 mod slurm;
 mod surfaces;
 mod verbs;
+mod workshop;

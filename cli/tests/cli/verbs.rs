@@ -1,133 +1,16 @@
 //! The command-line tool as its users meet it: files, exit codes, one line of reasons, no remains.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::io::{Read as _, Write as _};
-use std::path::PathBuf;
-use std::process::{Child, Command, Stdio};
+use std::io::Read as _;
+use std::process::Command;
 
 use crate::surfaces::face_list;
+use crate::workshop::{Workshop, assert_contains, finish};
 use serde_json::Value;
-use tempfile::TempDir;
 use triquad::Law;
-use triquad::mesh::{Faces, Format, Mesh, Output};
+use triquad::mesh::{Faces, Format, Mesh};
 use triquad_generators::random::Mix;
 use triquad_generators::testing::{beside, random_of};
 use triquad_generators::{Surface, classic, grids};
-
-// Running the tool.
-
-/// A folder of its own for each test, in which the tool runs.
-struct Workshop(TempDir);
-
-/// What a run of the tool left.
-#[derive(Debug)]
-struct Run {
-    /// None if a signal ended it.
-    code: Option<i32>,
-    stdout: Vec<u8>,
-    stderr: String,
-}
-
-impl Workshop {
-    fn new() -> Self {
-        Self(tempfile::tempdir().unwrap())
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn put(&self, name: &str, content: impl AsRef<[u8]>) {
-        std::fs::write(self.path(name), content).unwrap();
-    }
-
-    fn put_mesh(&self, name: &str, mesh: &Mesh) {
-        Output::create(self.path(name)).unwrap().write(mesh).unwrap();
-    }
-
-    fn put_surface(&self, name: &str, surface: &Surface) {
-        self.put_mesh(name, &face_list(surface));
-    }
-
-    fn get(&self, name: &str) -> Vec<u8> {
-        std::fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-    }
-
-    fn mesh(&self, name: &str) -> Mesh {
-        Mesh::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-    }
-
-    /// The names of all files and folders.
-    fn names(&self) -> BTreeSet<String> {
-        let entries = std::fs::read_dir(self.0.path()).unwrap();
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
-    }
-
-    /// What all files hold, by name; nothing for folders.
-    fn content(&self) -> BTreeMap<String, Vec<u8>> {
-        let content = |name: String| (std::fs::read(self.path(&name)).unwrap_or_default(), name);
-        self.names().into_iter().map(content).map(|(bytes, name)| (name, bytes)).collect()
-    }
-
-    fn spawn(&self, arguments: &[&str]) -> Child {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_triquad"));
-        command.args(arguments).current_dir(self.0.path());
-        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        command.spawn().unwrap()
-    }
-
-    /// Runs the tool; arguments are separated by blanks.
-    fn run(&self, arguments: &str) -> Run {
-        self.run_with_input(arguments, b"")
-    }
-
-    fn run_with_input(&self, arguments: &str, input: &[u8]) -> Run {
-        let mut child = self.spawn(&arguments.split_whitespace().collect::<Vec<_>>());
-        // A tool that does not want the input may end before it has taken it.
-        let _ = child.stdin.take().unwrap().write_all(input);
-        finish(child)
-    }
-
-    /// Runs the tool, which must succeed; returns its standard output.
-    fn succeed(&self, arguments: &str) -> String {
-        let run = self.run(arguments);
-        assert_eq!(run.code, Some(0), "{arguments}: {run:?}");
-        String::from_utf8(run.stdout).unwrap()
-    }
-
-    /// Runs the tool, which must print JSON on standard output and end with `code`.
-    fn json(&self, arguments: &str, code: i32) -> Value {
-        let run = self.run(arguments);
-        assert_eq!(run.code, Some(code), "{arguments}: {run:?}");
-        serde_json::from_slice(&run.stdout)
-            .unwrap_or_else(|error| panic!("{arguments}: {error}: {run:?}"))
-    }
-
-    /// Runs the tool, which must end with `code`, one line on standard error and no change to any
-    /// file; returns the line.
-    fn fail(&self, arguments: &str, code: i32) -> String {
-        let before = self.content();
-        let run = self.run(arguments);
-        assert_eq!(run.code, Some(code), "{arguments}: {run:?}");
-        assert_eq!(run.stderr.lines().count(), 1, "{arguments}: {run:?}");
-        assert!(!run.stderr.contains("panicked"), "{arguments}: {run:?}");
-        let after = self.content();
-        assert!(before == after, "{arguments} changed the folder to {:?}", after.keys());
-        run.stderr
-    }
-}
-
-fn finish(child: Child) -> Run {
-    let output = child.wait_with_output().unwrap();
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    Run { code: output.status.code(), stdout: output.stdout, stderr }
-}
-
-fn assert_contains(line: &str, parts: &[&str], what: &str) {
-    for part in parts {
-        assert!(line.contains(part), "{what}: '{part}' is not in '{}'", line.trim_end());
-    }
-}
 
 // Meshes.
 

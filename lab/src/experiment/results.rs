@@ -138,7 +138,7 @@ impl Results {
         };
         let names = match fields(first) {
             Ok(names) if names.iter().any(|name| name == "schema") => names,
-            _ if first.starts_with(SCHEMA) => {
+            _ if text.lines().any(|line| line.starts_with(SCHEMA)) => {
                 self.has_lost_names = true;
                 fields(&column_names()?).map_err(io::Error::other)?
             }

@@ -49,7 +49,7 @@ fn damaged_experiment_files_are_refused_in_one_line_or_read() {
 }
 
 fn assert_named(row: &DamagedRow, lines: usize) {
-    assert!((2..=lines as u64 + 1).contains(&row.line), "{row:?}");
+    assert!((1..=lines as u64 + 1).contains(&row.line), "{row:?}");
     assert!(!row.problem.is_empty() && !row.text.contains('\n'), "{row:?}");
 }
 
@@ -57,7 +57,11 @@ fn assert_named(row: &DamagedRow, lines: usize) {
 fn damaged_records_are_set_aside_line_by_line() {
     let mut spoilt = 0;
     damage(RUNS, EXPERIMENT, "runs.csv", |path, length| {
-        let results = Results::read(path.parent().unwrap()).unwrap();
+        let results = match Results::read(path.parent().unwrap()) {
+            Ok(results) => results,
+            // Nothing is left of what makes it a file of ours.
+            Err(error) => return assert_eq!(error.to_string().lines().count(), 1),
+        };
         let lines =
             length.min(String::from_utf8_lossy(&std::fs::read(path).unwrap()).lines().count());
         assert!(results.records.len() + results.damaged.len() <= lines);

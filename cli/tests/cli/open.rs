@@ -1,0 +1,143 @@
+//! `--open`: surfaces with boundary and one-sided ones, and the check of what comes of them.
+
+use serde_json::Value;
+use triquad::mesh::{Faces, Mesh};
+use triquad_generators::{classic, grids};
+
+use crate::surfaces::face_list;
+use crate::workshop::{Workshop, assert_contains};
+
+/// A sphere of which every seventh triangle is missing, far from the others missing.
+fn sphere_with_holes() -> Mesh {
+    let mut surface = grids::sphere(8);
+    let mut is_taken = vec![false; surface.positions.len()];
+    surface.triangles.retain(|triangle| {
+        let removed = triangle.iter().all(|&v| !is_taken[v as usize]);
+        if removed {
+            triangle.iter().for_each(|&v| is_taken[v as usize] = true);
+        }
+        !removed
+    });
+    face_list(&surface)
+}
+
+fn faces_of(mesh: &Mesh) -> Vec<Vec<u32>> {
+    mesh.faces().iter().map(<[u32]>::to_vec).collect()
+}
+
+#[test]
+fn an_open_surface_is_converted_on_request() {
+    let workshop = Workshop::new();
+    let mesh = sphere_with_holes();
+    workshop.put_mesh("in.obj", &mesh);
+    let line = workshop.fail("convert in.obj -o out.obj", 2);
+    assert_contains(&line, &["in.obj", "boundary-edge", "--open"], "refusal");
+    for algorithm in ["best", "tq", "ps", "sg"] {
+        let options = format!("--open --algorithm {algorithm} -o out.obj --stats -");
+        let stats = workshop.json(&format!("convert in.obj {options}"), 0);
+        let left = stats["leftover_triangles"].as_u64().unwrap();
+        let triangles = mesh.faces().len() as u64;
+        assert_eq!(2 * stats["quads"].as_u64().unwrap() + left, triangles);
+        assert_eq!((left, &stats["proved_fewest"]), (triangles % 2, &true.into()));
+        assert!(stats["boundary_loops"].as_u64().unwrap() > 3);
+        let report = workshop.succeed("check out.obj --against in.obj");
+        assert_contains(&report, &["out.obj: ok"], "check");
+        workshop.succeed("check out.obj --against in.obj --open");
+    }
+    let table = workshop.succeed("convert in.obj --open --compare");
+    assert_eq!(table.lines().count(), 1 + triquad::Algorithm::ALL.len());
+}
+
+#[test]
+fn what_needs_a_closed_surface_says_so() {
+    let workshop = Workshop::new();
+    workshop.put_mesh("in.obj", &sphere_with_holes());
+    for algorithm in ["ds", "gw", "lrs"] {
+        let line = workshop.fail(&format!("convert in.obj --open --algorithm {algorithm}"), 2);
+        assert_contains(&line, &[algorithm, "closed", "use best, tq, ps or sg"], algorithm);
+    }
+    let line = workshop.fail("irreducible in.obj --open -o out.obj", 2);
+    assert_contains(&line, &["in.obj", "closed"], "irreducible");
+    let line = workshop.fail("irreducible in.obj -o out.obj", 2);
+    assert_contains(&line, &["boundary-edge", "convert --open"], "irreducible");
+    let line = workshop.fail("simplify in.obj --vertices 9 -o out.obj", 2);
+    assert_contains(&line, &["boundary-edge"], "simplify");
+}
+
+#[test]
+fn other_laws_are_not_relaxed() {
+    let workshop = Workshop::new();
+    let mesh = sphere_with_holes();
+    let mut faces = faces_of(&mesh);
+    faces[5].reverse();
+    workshop.put_mesh("turned.obj", &mesh.clone().with_faces(faces.iter().collect()));
+    let line = workshop.fail("convert turned.obj --open -o out.obj", 2);
+    assert_contains(&line, &["inconsistent-orientation", "--orient"], "turned");
+    workshop.succeed("convert turned.obj --open --orient -o out.obj");
+    workshop.succeed("check out.obj --against turned.obj --orient");
+}
+
+#[test]
+fn one_sided_surfaces_are_converted_and_have_a_genus_of_their_own() {
+    for (surface, genus, left) in [
+        (classic::projective_plane(), 1, 0),
+        (classic::klein_bottle(5, 4), 2, 0),
+        (classic::moebius_strip(7), 1, 0),
+    ] {
+        let workshop = Workshop::new();
+        workshop.put_surface("in.obj", &surface);
+        let line = workshop.fail("convert in.obj", 2);
+        assert_contains(&line, &["--open"], "refusal");
+        let stats = workshop.json("convert in.obj --open -o out.obj --stats -", 0);
+        assert_eq!(stats["leftover_triangles"], left);
+        assert_eq!(stats["non_orientable_genus"], genus);
+        workshop.succeed("check out.obj --against in.obj");
+        let info = workshop.json("info in.obj --json", 2);
+        assert_eq!(info["non_orientable_genus"], genus);
+        assert_eq!(info["genus"], Value::Null);
+        let run = workshop.run("info in.obj");
+        let text = String::from_utf8(run.stdout).unwrap();
+        assert_contains(&text, &[&format!("non-orientable genus   {genus}")], "info");
+    }
+}
+
+#[test]
+fn the_check_refuses_missing_doubled_and_turned_faces() {
+    let workshop = Workshop::new();
+    let mesh = sphere_with_holes();
+    workshop.put_mesh("in.obj", &mesh);
+    workshop.succeed("convert in.obj --quad-dominant 0.1 --open -o out.obj");
+    let faces = faces_of(&workshop.mesh("out.obj"));
+    let first_of = |corners| faces.iter().position(|face: &Vec<u32>| face.len() == corners);
+    let [triangle, quad] = [3, 4].map(|corners| first_of(corners).unwrap());
+    let refuse = |change: &dyn Fn(&mut Vec<Vec<u32>>), told: &str| {
+        let mut faces = faces.clone();
+        change(&mut faces);
+        workshop.put_mesh("bad.obj", &mesh.clone().with_faces(faces.iter().collect::<Faces>()));
+        let line = workshop.fail("check bad.obj --against in.obj", 1);
+        assert_contains(&line, &["bad.obj", told], told);
+    };
+    refuse(&|faces| drop(faces.remove(triangle)), "lies in no face");
+    refuse(&|faces| drop(faces.remove(quad)), "lies in no face");
+    refuse(&|faces| faces.push(faces[triangle].clone()), "lies in two faces");
+    refuse(&|faces| faces.push(faces[quad].clone()), "lies in two faces");
+    refuse(&|faces| faces[triangle].reverse(), "is turned against the triangles");
+    refuse(&|faces| faces[quad].swap(0, 1), "is not two triangles");
+}
+
+#[test]
+fn triangles_are_no_quads_of_a_closed_surface_unless_they_may_be_left() {
+    let workshop = Workshop::new();
+    workshop.put_surface("in.obj", &grids::sphere(5));
+    let stats = workshop.json("convert in.obj --quad-dominant 0 -o out.obj --stats -", 0);
+    assert_eq!(stats["proved_fewest"], false);
+    assert!(stats["leftover_triangles"].as_u64().unwrap() > 0);
+    let line = workshop.fail("check out.obj --against in.obj", 1);
+    assert_contains(&line, &["face", "--open"], "check");
+    workshop.succeed("check out.obj --against in.obj --open");
+    let stats = workshop.json("convert in.obj --quad-dominant 1e9 -o out.obj --stats -", 0);
+    assert_eq!(stats["leftover_triangles"], 0);
+    workshop.succeed("check out.obj --against in.obj");
+    let line = workshop.fail("convert --quad-dominant in.obj", 2);
+    assert_contains(&line, &["price"], "a name for a price");
+}
