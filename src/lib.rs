@@ -31,8 +31,8 @@
 //! # Features
 //!
 //! * `files` (default): mesh files. Without it and `threads` the crate has three dependencies.
-//! * `threads` (default): building, costs and checks on all threads of rayon's current pool. Results
-//!   are the same on any number of threads, and without the feature.
+//! * `threads` (default): building, costs and checks on all threads of rayon's current pool.
+//!   Results are the same on any number of threads, and without the feature.
 //! * `serde`: ids, names, counts and reports as serde data.
 //!
 //! # Modules

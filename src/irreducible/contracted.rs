@@ -15,8 +15,8 @@ pub struct Counts {
     pub edges_tested_more_than_once: usize,
     /// Vertices that these tests have looked at, a cost that no machine changes. RS looks at the
     /// link of v but for u and the apexes, and at the edges put aside that wait for a processed
-    /// vertex when u gains it. S looks at the link of v up to the first vertex joined to u. BF looks
-    /// at the links of both ends, or at none if one of them has degree 3.
+    /// vertex when u gains it. S looks at the link of v up to the first vertex joined to u. BF
+    /// looks at the links of both ends, or at none if one of them has degree 3.
     pub link_vertices_visited: u64,
     /// The sum of d_u · d_v over the tests of all edges [u, v], d the degrees: their cost without
     /// any data structure (section 3).

@@ -105,8 +105,8 @@ impl Schipper {
         self.splits.push(split);
     }
 
-    /// Gives the number of tests of the edges from the origin of `h` to the apexes to the edges that
-    /// they and those from its destination become.
+    /// Gives the number of tests of the edges from the origin of `h` to the apexes to the edges
+    /// that they and those from its destination become.
     fn keep_tests(&mut self, h: HalfEdgeId) {
         let twin = self.k.twin(h);
         for (kept, gone) in [(h.prev(), h.next()), (twin.next(), twin.prev())] {

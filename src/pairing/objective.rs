@@ -125,8 +125,8 @@ impl Objective {
         self.price
     }
 
-    /// Returns whether no pair may lie across an edge to keep. At a price for triangles, leaving two
-    /// of them is always cheaper than giving up an edge.
+    /// Returns whether no pair may lie across an edge to keep. At a price for triangles, leaving
+    /// two of them is always cheaper than giving up an edge.
     fn locks(&self) -> bool {
         let priced = matches!(self.leftover, Leftover::Priced(_));
         !self.kept.is_empty() && (self.keeping == Keeping::All || priced)

@@ -154,3 +154,49 @@ fn dots_in_an_expected_output_stand_for_anything() {
     assert!(!shows("b …", "a b c"));
     assert!(!shows("… b", "a b c"));
 }
+
+/// Returns the words of `text` that begin with two dashes.
+fn long_options(text: &str) -> std::collections::BTreeSet<String> {
+    let is_part = |c: char| c.is_ascii_lowercase() || c == '-';
+    let option = |rest: &str| rest.split(|c| !is_part(c)).next().unwrap_or_default().to_owned();
+    let found = text.match_indices("--").map(|(at, _)| option(&text[at..]));
+    found.filter(|option| option.len() > 2 && !option.starts_with("---")).collect()
+}
+
+/// Returns the help of the program, or of a verb of it.
+fn help(verbs: &[&str]) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_triquad"));
+    let output = command.args(verbs).arg("--help").output().unwrap();
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Returns the verbs that a help text lists.
+fn verbs(help: &str) -> Vec<String> {
+    let list = help.split("Commands:\n").nth(1).unwrap_or_default();
+    let list = list.split("\n\n").next().unwrap_or_default();
+    let lines = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let words = lines.filter_map(|line| line.split_whitespace().next());
+    words.filter(|&word| word != "help").map(str::to_owned).collect()
+}
+
+#[test]
+fn the_page_of_the_command_has_every_verb_and_every_option_and_no_others() {
+    let page = std::fs::read_to_string(root().join("docs/cli.md")).unwrap();
+    let mut options = long_options("--help --version");
+    let verbs_of_all = verbs(&help(&[]));
+    assert!(verbs_of_all.len() > 10, "{verbs_of_all:?}");
+    for verb in &verbs_of_all {
+        assert!(page.contains(&format!("`{verb}")), "{verb} is missing");
+        let text = help(&[verb]);
+        for second in verbs(&text) {
+            assert!(page.contains(&format!("`{second}")), "{verb} {second} is missing");
+            options.extend(long_options(&help(&[verb, &second])));
+        }
+        options.extend(long_options(&text));
+    }
+    let on_page = long_options(&page);
+    let missing: Vec<_> = options.difference(&on_page).collect();
+    assert!(missing.iter().all(|&option| option == "--help" || option == "--version"), "{missing:?}");
+    let invented: Vec<_> = on_page.difference(&options).collect();
+    assert!(invented.is_empty(), "{invented:?}");
+}

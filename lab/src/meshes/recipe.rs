@@ -170,8 +170,8 @@ fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<Mesh, Generat
     Ok(into_list(organic::surface(genus, source, &mut |bound| random.below(bound))))
 }
 
-/// Simplifies `list` by `rule` to `vertices`, and calls `on_the_way` with the mesh at each of `stops`,
-/// descending.
+/// Simplifies `list` by `rule` to `vertices`, and calls `on_the_way` with the mesh at each of
+/// `stops`, descending.
 pub(super) fn simplified(
     list: &Mesh,
     rule: Rule,

@@ -15,9 +15,9 @@
 //! edge of level i with both ends in that half; one with its other end outside is the replacement.
 //!
 //! ```text
-//!      smaller half        other half        h rises: to look at it was in vain, which thus happens
-//!       o----o      /        o----o           to it at most log n times
-//!        \ h |   deleted     |    |           g joins the halves: found, no other edge is looked at
+//!      smaller half        other half      h rises: it was visited in vain, which thus happens
+//!       o----o      /        o----o         to it at most log n times
+//!        \ h |   deleted     |    |         g joins the halves: no other edge is visited
 //!         ---o------g--------o----o
 //! ```
 //!

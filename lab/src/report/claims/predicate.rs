@@ -138,8 +138,9 @@ impl Predicate {
     /// Returns the test with limits that are `slack` times as far away; `None` if it has no limit
     /// that could move.
     ///
-    /// Factors f become 1 + (f - 1) `slack`, intervals grow about their middle, shares of pairs come
-    /// closer to or go farther from all. A lone limit moves by a fifth of itself a unit of slack.
+    /// Factors f become 1 + (f - 1) `slack`, intervals grow about their middle, shares of pairs
+    /// come closer to or go farther from all. A lone limit moves by a fifth of itself a unit of
+    /// slack.
     pub fn with_slack(&self, slack: f64) -> Option<Self> {
         let wider = |factor: f64| 1.0 + (factor - 1.0) * slack;
         let about_middle = |low: f64, high: f64| {
