@@ -83,6 +83,10 @@ pub mod simplify;
 pub mod triangulation;
 mod vector;
 
+#[cfg(all(doctest, feature = "files"))]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum};
 pub use convert::{ConvertError, Converted, Converter, Progress, Quadrangulated, Report, Stage};
 pub use dual::{DualGraph, Matching, PerfectMatching};
