@@ -21,6 +21,8 @@
 //! | convert arrays that I have in memory | [`Mesh::from_triangles`], [`Converter`] |
 //! | see what is wrong with a mesh | [`Survey::new`] |
 //! | say what a good quad is | [`Converter::cost`], [`Cost`] |
+//! | keep some edges | [`Converter::keep`], [`quadrangulation::Keep`] |
+//! | convert surfaces with boundary | [`Converter::open`] |
 //! | solve a minimum-cost perfect matching | [`matching::weighted`] |
 //! | choose how triangles are paired | [`Converter::algorithm`], [`pairing`] |
 //! | write a pairing algorithm | [`DualGraph`], [`Matching`], [`make_maximum`], `examples/own_pairing.rs` |

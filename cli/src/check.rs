@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use triquad::pairing::Proof;
-use triquad::quadrangulation::{MixedCheck, check_mixed};
+use triquad::quadrangulation::check_mixed;
 use triquad::triangulation::Surface;
 use triquad::{CheckReport, DualGraph, Matching, Mesh, Mismatch, check, check_retriangulation};
 
@@ -63,24 +63,27 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     status.say("checking");
     let may_leave = arguments.open || proved.as_ref().is_some_and(Statement::may_leave);
     let is_closed = matches!(surface, Built::Closed(_));
-    let no = |problem: &str| Failure::no(format!("{}: {problem}", arguments.quads.display()));
-    let checked = match is_closed && !may_leave {
-        true => check(&quads, &paired).map_err(|mismatch| no(&explain(&mismatch, &quads)))?,
-        false => check_mixed(&quads, &paired).map_err(|mismatch| no(&mismatch.to_string()))?.report,
+    let no = |mismatch: &Mismatch, quads: &Mesh| {
+        Failure::no(format!("{}: {}", arguments.quads.display(), explain(mismatch, quads)))
     };
-    let proof = match &proved {
-        None => String::new(),
-        Some(statement) => {
-            let MixedCheck { matching, .. } =
-                check_mixed(&quads, &paired).map_err(|mismatch| no(&mismatch.to_string()))?;
-            match &surface {
-                Built::Closed(surface) => statement.verify(surface, &paired, &matching)?,
-                Built::Open(surface) => statement.verify(surface, &paired, &matching)?,
-            }
-        }
+    let is_plain = is_closed && !may_leave;
+    let mixed = match is_plain && proved.is_none() {
+        true => None,
+        false => Some(check_mixed(&quads, &paired).map_err(|mismatch| no(&mismatch, &quads))?),
+    };
+    let report = match &mixed {
+        Some(mixed) if !is_plain => mixed.report,
+        _ => check(&quads, &paired).map_err(|mismatch| no(&mismatch, &quads))?,
+    };
+    let proof = match (&proved, &mixed) {
+        (Some(statement), Some(mixed)) => match &surface {
+            Built::Closed(surface) => statement.verify(surface, &paired, &mixed.matching)?,
+            Built::Open(surface) => statement.verify(surface, &paired, &mixed.matching)?,
+        },
+        _ => String::new(),
     };
     drop(status);
-    stdio::say(&(describe(arguments, &checked) + &proof))
+    stdio::say(&(describe(arguments, &report) + &proof))
 }
 
 /// Reads the triangulation whose triangles were paired.

@@ -15,7 +15,8 @@ use crate::pairing::Algorithm;
 use crate::quadrangulation::{Cost, Keep};
 use crate::triangulation::{Law, OpenTriangulation, Survey, Triangulation};
 
-/// Converts triangle meshes of closed surfaces into quads on the same vertices.
+/// Converts triangle meshes into quads on the same vertices: of closed surfaces, and of others with
+/// [`Converter::open`].
 ///
 /// ```
 /// use triquad::{Algorithm, Converter, Mesh};

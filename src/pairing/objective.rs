@@ -62,20 +62,13 @@ impl Objective {
     /// # Panics
     /// If there are edges to keep and no costs.
     pub fn new(costs: Vec<[i32; 3]>, kept: EdgeSet, keeping: Keeping, leftover: Leftover) -> Self {
-        let cells = || costs.as_flattened().iter().map(|&cost| i128::from(cost));
-        let [least, most] = [cells().min(), cells().max()].map(|cost| cost.unwrap_or(0));
-        let pairs = costs.len() as i128 / 2;
-        // Two pairings of as many pairs differ by less than this in cost.
-        let edge_price = if kept.is_empty() { 0 } else { pairs * (most - least) + 1 };
-        // One pair more, two triangles less: that costs less than a quarter of this, edges given up
-        // included. The rest keeps potentials apart, of which the barrier is read.
-        let pair_price = 4 * ((pairs + 1) * (least.abs() + most.abs() + edge_price) + 1);
+        let prices = Prices::new(&costs, !kept.is_empty());
         let price = match leftover {
             Leftover::None => None,
-            Leftover::Fewest => Some(pair_price),
+            Leftover::Fewest => Some(prices.triangle),
             Leftover::Priced(price) => Some(price.into()),
         };
-        Self { costs, kept, keeping, leftover, edge_price, price }
+        Self { costs, kept, keeping, leftover, edge_price: prices.edge, price }
     }
 
     /// Returns the problem of the minimum-cost matching that answers the question in `dual`.
@@ -101,6 +94,13 @@ impl Objective {
             }
             Leftover::None | Leftover::Fewest => pairs,
         }
+    }
+
+    /// Returns what [`Objective::cost`] would return for a matching that answers the question, from
+    /// the cost of the matching problem. O(1).
+    pub(super) fn cost_of_solution(&self, cost: i128, given_up: usize, left: usize) -> i128 {
+        let fewest = self.price.filter(|_| self.leftover == Leftover::Fewest).unwrap_or(0);
+        cost - fewest * left as i128 - self.edge_price * given_up as i128
     }
 
     /// Returns the cost of the edge across each side of each triangle.
@@ -130,6 +130,28 @@ impl Objective {
     fn locks(&self) -> bool {
         let priced = matches!(self.leftover, Leftover::Priced(_));
         !self.kept.is_empty() && (self.keeping == Keeping::All || priced)
+    }
+}
+
+/// Prices that no sum of costs reaches.
+struct Prices {
+    /// Of an edge given up; 0 if none is to be kept.
+    edge: i128,
+    /// Of a triangle left.
+    triangle: i128,
+}
+
+impl Prices {
+    fn new(costs: &[[i32; 3]], keeps_edges: bool) -> Self {
+        let cells = || costs.as_flattened().iter().copied();
+        let [least, most] = [cells().min(), cells().max()].map(|cost| cost.unwrap_or(0).into());
+        let pairs = costs.len() as i128 / 2;
+        // Two pairings of as many pairs differ by less than this in cost.
+        let edge = if keeps_edges { pairs * (most - least) + 1 } else { 0 };
+        // One pair more, two triangles less: that costs less than a quarter of this, edges given up
+        // included. The rest keeps potentials apart, of which the barrier is read.
+        let triangle = 4 * ((pairs + 1) * (i128::abs(least) + i128::abs(most) + edge) + 1);
+        Self { edge, triangle }
     }
 }
 

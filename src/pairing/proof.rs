@@ -33,11 +33,7 @@ impl Proof {
         dual: &DualGraph,
         matching: &Matching,
     ) -> Self {
-        let is_kept = |side: &HalfEdgeId| objective.kept().contains(*side);
-        let given_up = match objective.kept().is_empty() {
-            true => Vec::new(),
-            false => matching.sides(dual).filter(is_kept).collect(),
-        };
+        let given_up = given_up(&objective, dual, matching);
         let cost = objective.cost(dual, matching);
         Self { objective, certificate, barrier, cost, given_up }
     }
@@ -57,7 +53,11 @@ impl Proof {
             }
             _ => None,
         };
-        Self::new(objective, solution.certificate, barrier, dual, matching)
+        let given_up = given_up(&objective, dual, matching);
+        let left = matching.unpaired_count();
+        let cost = objective.cost_of_solution(solution.cost, given_up.len(), left);
+        debug_assert_eq!(cost, objective.cost(dual, matching));
+        Self { objective, certificate: solution.certificate, barrier, cost, given_up }
     }
 
     /// Checks that the proof proves `matching` to be the best in `dual`. O(n).
@@ -87,4 +87,13 @@ pub enum ProofError {
     /// The barrier does not show that so many triangles must be left.
     #[error("the barrier does not show that as many triangles as are left must be")]
     Barrier,
+}
+
+/// Returns the sides of edges to keep between two mates, those of the lower triangles.
+fn given_up(objective: &Objective, dual: &DualGraph, matching: &Matching) -> Vec<HalfEdgeId> {
+    let kept = objective.kept();
+    match kept.is_empty() {
+        true => Vec::new(),
+        false => matching.sides(dual).filter(|&side| kept.contains(side)).collect(),
+    }
 }

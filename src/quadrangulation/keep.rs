@@ -50,11 +50,16 @@ impl Keep {
         *self == Self::default()
     }
 
-    /// Finds the edges in `surface`, the triangulation of `mesh`. O(n); expected, for lists.
+    /// Finds the edges in `surface`, the triangulation of `mesh`. O(n), in expectation.
+    ///
+    /// Takes no memory if no edge is described.
     ///
     /// # Errors
     /// An edge listed is none of the mesh.
     pub fn find(&self, surface: &impl Surface, mesh: &Mesh) -> Result<EdgeSet, NoSuchEdge> {
+        if self.is_empty() {
+            return Ok(EdgeSet::default());
+        }
         let mut set = EdgeSet::empty(surface);
         if let Some(degrees) = self.sharp {
             let cosine = cosine_of_degrees(degrees);

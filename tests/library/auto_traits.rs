@@ -4,11 +4,12 @@ use triquad::clock::{SteppingClock, SystemClock};
 use triquad::dual::DualGraphError;
 use triquad::irreducible::{Irreducible, IrreducibleError};
 use triquad::mesh::{Attributes, AttributesError, CornerIndices, Faces, TextList};
-use triquad::pairing::InitialPairing;
+use triquad::pairing::{InitialPairing, Objective, Proof, ProofError};
 use triquad::quadrangulation::quality::Quality;
+use triquad::quadrangulation::{CostCountError, Keep, MixedCheck, NoSuchEdge};
 use triquad::random::Random;
 use triquad::simplify::{Simplifier, SimplifyError};
-use triquad::triangulation::{ParseIdError, ShrinkingTriangulation};
+use triquad::triangulation::{EdgeSet, OpenTriangulation, ParseIdError, ShrinkingTriangulation};
 use triquad::{
     Algorithm, Augmentation, AugmentationStats, CheckReport, ConvertError, Converted, DualGraph,
     Matching, Mesh, Mismatch, PerfectMatching, Quadrangulated, Quadrangulation, Report, Survey,
@@ -26,6 +27,8 @@ macro_rules! assert_all {
 assert_all!(crosses_threads: Mesh, Faces, Attributes, CornerIndices, TextList);
 assert_all!(crosses_threads: Triangulation, ShrinkingTriangulation, Survey);
 assert_all!(crosses_threads: DualGraph, Matching, PerfectMatching, InitialPairing<'static>);
+assert_all!(crosses_threads: OpenTriangulation, EdgeSet, Keep, Objective, Proof, MixedCheck);
+assert_all!(is_boxable_error: ProofError, NoSuchEdge, CostCountError);
 assert_all!(crosses_threads: Algorithm, Augmentation, AugmentationStats);
 assert_all!(crosses_threads: Quadrangulation, CheckReport, Quality);
 assert_all!(crosses_threads: Converted, Quadrangulated<'static>, Report);

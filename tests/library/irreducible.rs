@@ -310,8 +310,7 @@ fn the_seed_decides_what_is_left() {
     for contractor in Contractor::ALL {
         for order in [Order::File, Order::Random] {
             assert_eq!(run(contractor, order, 5), run(contractor, order, 5));
-            let is_random =
-                contractor != Contractor::RamaswamiSiqueira || order == Order::Random;
+            let is_random = contractor != Contractor::RamaswamiSiqueira || order == Order::Random;
             assert_eq!(
                 run(contractor, order, 5) != run(contractor, order, 6),
                 is_random,

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use triquad::irreducible::{Contractor, Discipline, Order, ramaswami_siqueira};
 use triquad::pairing::lrs;
+use triquad::quadrangulation::Keep;
 use triquad::random::Random;
 use triquad::simplify::{Shape, Simplifier};
 use triquad::triangulation::{HalfEdgeId, LinkMarks, ShrinkingTriangulation};
@@ -138,6 +139,28 @@ fn every_closed_mesh_is_converted_by_every_algorithm() {
             assert_eq!(counts, expected, "{what}");
             assert_eq!(summary.components, 1, "{what}");
         }
+    }
+}
+
+#[test]
+fn no_sharp_edge_of_a_part_is_lost_that_could_be_kept() {
+    let Some(catalogue) = Catalogue::open() else { return };
+    let files = ["fandisk_12946", "joint_41808_g2", "casting", "socket"];
+    for (name, expected) in files.into_iter().zip([2, 0, 12, 21]) {
+        let mesh = catalogue.read(&format!("closed/{name}.obj.gz"));
+        let mut keep = Keep::default();
+        keep.sharp = Some(30.0);
+        let converted = Converter::new().keep(keep.clone()).run(&mesh).unwrap();
+        let report = converted.report();
+        let sharp = report.sharp_edges.unwrap();
+        assert!(report.is_proved_least, "{name}");
+        assert_eq!(report.given_up_edges, Some(expected), "{name}");
+        assert_eq!((report.kept_edges, sharp.kept), (Some(sharp.all), sharp.all - expected));
+        let strict = Converter::new().keep(keep).strict(true).run(&mesh).unwrap();
+        let report = strict.report();
+        let sharp = report.sharp_edges.unwrap();
+        assert!(report.is_proved_fewest && sharp.kept == sharp.all, "{name}");
+        assert_eq!(report.leftover_triangles == Some(0), expected == 0, "{name}");
     }
 }
 
