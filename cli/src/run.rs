@@ -272,7 +272,7 @@ impl RunObserver for RunView<'_> {
         drop(pace);
         self.bar.inc(1);
         let is_new = || lock(&self.said).insert(record.reason.clone());
-        // Why a program is not installed is said once.
+        // The reason why a program is not installed is printed once.
         if record.is_bad() || record.outcome == Outcome::Skipped && is_new() {
             self.say(&bad_runs::described(record));
         }

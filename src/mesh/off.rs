@@ -85,7 +85,7 @@ fn read_positions(
     count: usize,
     positions: &mut Vec<[f64; 3]>,
 ) -> Result<bool, MeshError> {
-    // A vertex takes six bytes at least, whatever the header says.
+    // A vertex takes six bytes at least, whatever the header states.
     positions.reserve(count.min(tokens.rest().len() / 6));
     let mut any_extra = false;
     for vertex in 0..count {

@@ -203,7 +203,7 @@ impl<'g> Greedy<'g> {
             for (g, priority) in sides.into_iter().zip(around) {
                 match priority {
                     Priority::TwoFreeToLowest => self.enter(g, Priority::TwoFree),
-                    // The ring after the next: when `g` leaves set 0, its neighbours are looked at.
+                    // The ring after the next: when `g` leaves set 0, its neighbours are visited.
                     Priority::ThreeFree => self.ranked.prefetch_around(g),
                     _ => {}
                 }

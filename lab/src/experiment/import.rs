@@ -18,18 +18,18 @@ use crate::meshes::{MeshKind, Recipe};
 use crate::nearest::nearest;
 use crate::paper::Paper;
 
-/// How a file is to be read.
+/// Options for reading a file.
 #[derive(Clone, Debug)]
 pub struct ImportSettings {
     /// Algorithm of all rows; one of ours, or any other name.
     pub algorithm: String,
     /// What the algorithm makes, if that does not follow from its name or the columns.
     pub task: Option<Task>,
-    /// How large the meshes of the papers were.
+    /// Size of the papers' meshes.
     pub scale: Scale,
     /// Names of columns in the file and in `runs.csv`; `-` for a column that is to be left out.
     pub mapping: Vec<(String, String)>,
-    /// Whether there may be meshes that the papers do not have.
+    /// True if there may be meshes that the papers do not have.
     pub allows_other_meshes: bool,
 }
 
@@ -42,7 +42,7 @@ pub struct Imported {
     pub rounded: usize,
 }
 
-/// Why a file cannot be read.
+/// Reason why a file cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum ImportError {
     /// It is no table of comma-separated values.
@@ -107,9 +107,9 @@ pub enum ImportError {
         line: u64,
         /// The column, as in `runs.csv`.
         column: String,
-        /// What stands there.
+        /// The text there.
         value: String,
-        /// What should stand there.
+        /// The expected text.
         expected: &'static str,
     },
 }

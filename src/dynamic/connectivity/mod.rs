@@ -206,7 +206,7 @@ impl DynamicConnectivity {
     /// its lists.
     ///
     /// A few edges are tried where they are, which costs no more than to find the halves: often one
-    /// of them will do, or there are no others. Otherwise, what is looked at in vain rises to level
+    /// of them will do, or there are no others. Otherwise, what is visited in vain rises to level
     /// i + 1.
     fn replacement(&mut self, halves: [u32; 2], i: u8) -> Option<u32> {
         let [one, other] = halves.map(|half| self.tours.vertex_count(half));

@@ -4,7 +4,7 @@ use std::io::Read;
 
 use crate::mesh::error::MeshError;
 
-/// Number of bytes asked for at a time.
+/// Number of bytes requested at a time.
 pub(super) const BLOCK: usize = 1 << 20;
 
 /// The text in blocks of whole lines, continued ones joined.

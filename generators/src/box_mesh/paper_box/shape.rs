@@ -41,14 +41,14 @@ pub enum Walls {
     Drawn,
 }
 
-/// Why there is no such box.
+/// Reason why there is no such box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImpossiblePaperBox {
     /// Cavities without depth.
     NoDepth,
     /// More holes than shafts.
     TooManyHoles {
-        /// Holes asked for.
+        /// Requested holes.
         holes: u32,
         /// Shafts there are.
         shafts: u64,

@@ -26,7 +26,7 @@ pub struct MeshNumber {
     pub genus: f64,
 }
 
-/// Whether a number grows or falls.
+/// Direction in which a number goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Direction {
@@ -36,7 +36,7 @@ pub enum Direction {
     Falls,
 }
 
-/// What must hold.
+/// The test.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Predicate {
@@ -72,9 +72,9 @@ pub enum Predicate {
     },
     /// Rises or falls along a number: in at least `share` of the pairs of meshes that differ in it.
     Monotone {
-        /// What it is drawn against.
+        /// The horizontal axis.
         along: Expression,
-        /// Which way.
+        /// The direction.
         direction: Direction,
         /// 1 for all pairs.
         share: f64,
@@ -116,7 +116,7 @@ pub enum Predicate {
 /// The outcome of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// Whether the points pass.
+    /// True if the points pass.
     pub holds: bool,
     /// The number that decided, or the range of the values, in words.
     pub found: String,
