@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
+use triquad::irreducible::Discipline;
+use triquad::pairing::LRS_ORDER;
 use triquad::{Algorithm, Augmentation, ConvertError, Converter, Expansion, Mesh, Report};
 
 use crate::aims::{AimOptions, ReadAims};
@@ -44,7 +46,13 @@ pub struct Arguments {
     #[arg(long, default_value = "printed", value_name = "NAME")]
     #[arg(value_parser = one_of(Expansion::ALL, Expansion::id))]
     lrs_variant: Expansion,
-    /// How the pairing is made perfect: local (ours) or tarjan (as published, slow on purpose)
+    /// The order in which lrs tests the edges at a vertex: stack (new ones first, fewer edges are
+    /// flipped) or queue (as printed)
+    #[arg(long, default_value = LRS_ORDER.id(), value_name = "NAME")]
+    #[arg(value_parser = one_of(Discipline::ALL, Discipline::id))]
+    lrs_order: Discipline,
+    /// How the pairing is made perfect: local (ours), tarjan (as published, slow on purpose) or
+    /// rebuild (as tarjan, the graph set up anew for each path)
     #[arg(long, default_value = "local", value_name = "NAME")]
     #[arg(value_parser = one_of(Augmentation::ALL, Augmentation::id))]
     augmentation: Augmentation,
@@ -155,6 +163,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let converted = arguments
         .converter(&mut status)
         .algorithm(arguments.algorithm())
+        .lrs_order(arguments.lrs_order)
         .aims(aims.aims.clone())
         .keep_proof(arguments.certificate.is_some())
         .run(mesh);

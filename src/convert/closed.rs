@@ -8,6 +8,7 @@ use super::error::ConvertError;
 use super::progress::Stage;
 use super::report::{Report, Size};
 use crate::augmentation::make_maximum;
+use crate::clock::SystemClock;
 use crate::dual::{DualGraph, Matching, PerfectMatching};
 use crate::matching::weighted::SolveError;
 use crate::mesh::{Faces, Mesh};
@@ -120,8 +121,13 @@ impl Converter<'_> {
         report: &mut Report,
     ) -> InitialPairing<'t> {
         let mut random = Random::stream(self.seed, &[self.algorithm.id()]);
-        let (initial, seconds) =
-            self.time(|settings| settings.algorithm.pair(triangulation, &mut random));
+        let system = SystemClock::default();
+        let ((initial, shuffle_seconds), seconds) = self.time(|settings| {
+            let clock = settings.clock.unwrap_or(&system);
+            let (algorithm, lrs_order) = (settings.algorithm, settings.lrs_order);
+            algorithm.pair_by_clock(triangulation, lrs_order, &mut random, clock)
+        });
+        report.shuffle_seconds = shuffle_seconds;
         report.pairing_seconds = seconds;
         initial
     }

@@ -10,8 +10,9 @@ use super::progress::{Progress, Stage};
 use super::report::{Report, Size};
 use crate::augmentation::Augmentation;
 use crate::clock::{Clock, SystemClock};
+use crate::irreducible::Discipline;
 use crate::mesh::Mesh;
-use crate::pairing::Algorithm;
+use crate::pairing::{Algorithm, LRS_ORDER};
 use crate::quadrangulation::{Cost, Keep};
 use crate::triangulation::{Law, OpenTriangulation, Survey, Triangulation};
 
@@ -29,6 +30,7 @@ use crate::triangulation::{Law, OpenTriangulation, Survey, Triangulation};
 /// ```
 pub struct Converter<'a> {
     pub(super) algorithm: Algorithm,
+    pub(super) lrs_order: Discipline,
     pub(super) augmentation: Augmentation,
     pub(super) seed: u64,
     pub(super) orient: bool,
@@ -43,6 +45,7 @@ impl fmt::Debug for Converter<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Converter")
             .field("algorithm", &self.algorithm)
+            .field("lrs_order", &self.lrs_order)
             .field("augmentation", &self.augmentation)
             .field("seed", &self.seed)
             .field("orient", &self.orient)
@@ -63,6 +66,7 @@ impl<'a> Converter<'a> {
     pub fn new() -> Self {
         Self {
             algorithm: Algorithm::Best,
+            lrs_order: LRS_ORDER,
             augmentation: Augmentation::Local,
             seed: 0,
             orient: false,
@@ -78,6 +82,12 @@ impl<'a> Converter<'a> {
     #[must_use]
     pub fn algorithm(self, algorithm: Algorithm) -> Self {
         Self { algorithm, ..self }
+    }
+
+    /// Sets the order in which `lrs` tests the edges at a vertex, in place of [`LRS_ORDER`].
+    #[must_use]
+    pub fn lrs_order(self, lrs_order: Discipline) -> Self {
+        Self { lrs_order, ..self }
     }
 
     /// Sets the kind of augmentation that makes the pairing perfect.
@@ -244,7 +254,8 @@ impl<'a> Converter<'a> {
 
     /// Makes the report of a conversion that begins.
     pub(super) fn report(&self, size: Size) -> Report {
-        Report::new(self.algorithm, self.augmentation, self.seed, size)
+        let report = Report::new(self.algorithm, self.augmentation, self.seed, size);
+        Report { lrs_order: self.lrs_order, ..report }
     }
 
     pub(super) fn enter(&mut self, stage: Stage) {

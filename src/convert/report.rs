@@ -3,7 +3,8 @@
 use std::fmt;
 
 use crate::augmentation::{Augmentation, AugmentationStats};
-use crate::pairing::Algorithm;
+use crate::irreducible::Discipline;
+use crate::pairing::{Algorithm, LRS_ORDER};
 use crate::quadrangulation::SharpEdges;
 use crate::quadrangulation::quality::Quality;
 use crate::triangulation::{Survey, Triangulation};
@@ -16,6 +17,8 @@ use crate::triangulation::{Survey, Triangulation};
 pub struct Report {
     /// Algorithm of the initial pairing.
     pub algorithm: Algorithm,
+    /// Order in which `lrs` tests the edges at a vertex; the others have no use for it.
+    pub lrs_order: Discipline,
     /// Kind of augmentation.
     pub augmentation: Augmentation,
     /// Master seed of the random choices.
@@ -68,6 +71,8 @@ pub struct Report {
     pub cost_seconds: f64,
     /// Column (a): from the triangulation to the initial pairing, its dual graph included.
     pub pairing_seconds: f64,
+    /// The part of column (a) in which edges or triangles are shuffled; 0 but for `sg` and `ps`.
+    pub shuffle_seconds: f64,
     /// Column (d): from the initial pairing to the perfect one.
     pub augmentation_seconds: f64,
     /// The check of the result, from the two meshes alone.
@@ -117,6 +122,7 @@ impl Report {
     ) -> Self {
         Self {
             algorithm,
+            lrs_order: LRS_ORDER,
             augmentation,
             seed,
             vertices: size.vertices,
@@ -143,6 +149,7 @@ impl Report {
             build_seconds: 0.0,
             cost_seconds: 0.0,
             pairing_seconds: 0.0,
+            shuffle_seconds: 0.0,
             augmentation_seconds: 0.0,
             check_seconds: 0.0,
         }
@@ -271,6 +278,7 @@ impl serde::Serialize for Report {
         map.serialize_entry("algorithm", self.algorithm.id())?;
         if let Algorithm::Lrs(expansion) = self.algorithm {
             map.serialize_entry("lrs_variant", expansion.id())?;
+            map.serialize_entry("lrs_order", self.lrs_order.id())?;
         }
         map.serialize_entry("augmentation", self.augmentation.id())?;
         map.serialize_entry("seed", &self.seed)?;
@@ -309,6 +317,7 @@ impl serde::Serialize for Report {
         }
         map.serialize_entry("build_seconds", &self.build_seconds)?;
         map.serialize_entry("pairing_seconds", &self.pairing_seconds)?;
+        map.serialize_entry("shuffle_seconds", &self.shuffle_seconds)?;
         map.serialize_entry("augmentation_seconds", &self.augmentation_seconds)?;
         map.serialize_entry("total_seconds", &self.total_seconds())?;
         map.serialize_entry("check_seconds", &self.check_seconds)?;

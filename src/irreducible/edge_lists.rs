@@ -2,18 +2,34 @@
 
 use std::ops::{Index, IndexMut};
 
+use crate::names::named;
 use crate::prefetch::prefetch;
 use crate::triangulation::{IdVec, VertexId};
 
 /// The end of the list of untested edges at which edges that are new at u enter.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Discipline {
-    /// At the rear, as published; those to vertices of degree 3 at the front.
+    /// `queue`: at the rear, as published; those to vertices of degree 3 at the front.
     #[default]
     FirstInFirstOut,
-    /// At the front. Tests more edges, and contracts in an order that suits expansion better.
+    /// `stack`: at the front. Tests more edges, and contracts in an order that suits expansion better.
     LastInFirstOut,
 }
+
+impl Discipline {
+    /// Both disciplines.
+    pub const ALL: [Self; 2] = [Self::FirstInFirstOut, Self::LastInFirstOut];
+
+    /// Returns the name on the command line and in records.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::FirstInFirstOut => "queue",
+            Self::LastInFirstOut => "stack",
+        }
+    }
+}
+
+named!(Discipline, "order of untested edges", id);
 
 /// One of the two lists of edges at the vertex u that is being processed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

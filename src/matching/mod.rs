@@ -10,4 +10,4 @@ pub mod weighted;
 
 pub(crate) use forest::{Forest, Place, TreeId};
 pub(crate) use rescue::Rescue;
-pub(crate) use single_tree::augment_from;
+pub(crate) use single_tree::{Augmented, augment_from};

@@ -7,11 +7,14 @@ use std::str::FromStr;
 
 use super::eager_rescue::pair_with_rescues;
 use super::initial::InitialPairing;
-use super::lrs::{Expansion, lrs};
+use super::lrs::{Expansion, LRS_ORDER, lrs};
 use super::objective::Objective;
 use super::pulli_segal::pair_by_priority;
 use super::ranked_graph::RankedGraph;
-use super::simple_greedy::simple_greedy;
+use super::shuffler::Shuffler;
+use super::simple_greedy::pair_edges;
+use crate::clock::Clock;
+use crate::irreducible::Discipline;
 use crate::names::{UnknownNameError, find, serde_as_string};
 use crate::random::Random;
 use crate::triangulation::Triangulation;
@@ -66,13 +69,36 @@ impl Algorithm {
     /// Pairs up triangles of `triangulation`.
     ///
     /// Equal input and equal `random` give equal output. O(n); `ds` O(n log² n), `gw` O(n log n).
-    /// `best` has no costs here: to it all pairings are equally good, see [`best`] for costs.
+    /// `best` has no costs here: to it all pairings are equally good, see [`best`] for costs. `lrs`
+    /// contracts in [`LRS_ORDER`], see [`lrs`] for others.
     pub fn pair<'t>(
         self,
         triangulation: &'t Triangulation,
         random: &mut Random,
     ) -> InitialPairing<'t> {
-        match self {
+        self.pair_timed(triangulation, LRS_ORDER, Shuffler::new(random, None)).0
+    }
+
+    /// Does the same with another order for `lrs`, and returns the seconds that shuffles have taken
+    /// by `clock`.
+    pub(crate) fn pair_by_clock<'t>(
+        self,
+        triangulation: &'t Triangulation,
+        lrs_order: Discipline,
+        random: &mut Random,
+        clock: &dyn Clock,
+    ) -> (InitialPairing<'t>, f64) {
+        self.pair_timed(triangulation, lrs_order, Shuffler::new(random, Some(clock)))
+    }
+
+    fn pair_timed<'t>(
+        self,
+        triangulation: &'t Triangulation,
+        lrs_order: Discipline,
+        mut random: Shuffler,
+    ) -> (InitialPairing<'t>, f64) {
+        let mut shuffle_seconds = 0.0;
+        let pairing = match self {
             Self::Best => {
                 let costs = vec![[0; 3]; triangulation.triangle_count()];
                 let objective = Objective::perfect(costs);
@@ -82,12 +108,15 @@ impl Algorithm {
                 let (dual, matching) = pair_with_rescues(RankedGraph::new(triangulation));
                 InitialPairing::new(triangulation, dual, matching)
             }
-            Self::SimpleGreedy => {
-                InitialPairing::from_input(triangulation, |dual| simple_greedy(dual, random))
-            }
+            Self::SimpleGreedy => InitialPairing::from_input(triangulation, |dual| {
+                let matching = pair_edges(dual, &mut random);
+                shuffle_seconds = random.seconds();
+                matching
+            }),
             Self::PulliSegal => {
                 let ranked = RankedGraph::new(triangulation);
-                let (dual, matching) = pair_by_priority(ranked, Some(random));
+                let (dual, matching, seconds) = pair_by_priority(ranked, Some(random));
+                shuffle_seconds = seconds;
                 InitialPairing::new(triangulation, dual, matching)
             }
             // A triangulation is closed, so its dual graph is cubic. It is bridgeless: the edge
@@ -99,8 +128,9 @@ impl Algorithm {
             Self::GawrychowskiWasylkiewicz => InitialPairing::from_input(triangulation, |dual| {
                 gawrychowski_wasylkiewicz(dual).expect(LEGAL)
             }),
-            Self::Lrs(expansion) => lrs(triangulation, expansion),
-        }
+            Self::Lrs(expansion) => lrs(triangulation, expansion, lrs_order),
+        };
+        (pairing, shuffle_seconds)
     }
 }
 

@@ -14,6 +14,7 @@ mod objective;
 mod proof;
 mod pulli_segal;
 mod ranked_graph;
+mod shuffler;
 mod simple_greedy;
 
 pub use algorithm::Algorithm;
@@ -21,7 +22,7 @@ pub use best::{best, best_matching, fewest_unpaired};
 pub use cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
 pub use eager_rescue::eager_rescue;
 pub use initial::InitialPairing;
-pub use lrs::{Expansion, lrs};
+pub use lrs::{Expansion, LRS_ORDER, lrs};
 pub use objective::{Keeping, Leftover, Objective, ObjectiveProblem};
 pub use proof::{Proof, ProofError};
 pub use pulli_segal::pulli_segal;

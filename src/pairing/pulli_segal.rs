@@ -19,6 +19,7 @@
 use std::collections::VecDeque;
 
 use super::ranked_graph::{Priority, Rank, RankedGraph};
+use super::shuffler::Shuffler;
 use crate::dual::{DualGraph, Matching};
 use crate::random::Random;
 use crate::triangulation::TriangleId;
@@ -33,14 +34,17 @@ use crate::triangulation::TriangleId;
 /// Θ(n) time: a triangle changes its set at most three times. 20 bytes a triangle, and queues as
 /// long as the edge of the paired region.
 pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
-    pair_by_priority(RankedGraph::copy_of(graph), random).1
+    pair_by_priority(RankedGraph::copy_of(graph), random.map(|random| Shuffler::new(random, None)))
+        .1
 }
 
-/// Pairs as [`pulli_segal`] does, in rows that it is given, and returns them without the ranks.
+/// Pairs as [`pulli_segal`] does, in rows that it is given.
+///
+/// Returns them without the ranks, the pairing, and the seconds that shuffles have taken.
 pub(super) fn pair_by_priority(
     ranked: RankedGraph,
-    random: Option<&mut Random>,
-) -> (DualGraph, Matching) {
+    random: Option<Shuffler>,
+) -> (DualGraph, Matching, f64) {
     let mut greedy = Greedy::new(ranked, random);
     while let Some(f) = greedy.next() {
         match greedy.best_neighbour(f) {
@@ -48,7 +52,8 @@ pub(super) fn pair_by_priority(
             None => greedy.leave_alone(f),
         }
     }
-    (greedy.ranked.into_dual(), greedy.matching)
+    let seconds = greedy.random.map_or(0.0, |random| random.seconds());
+    (greedy.ranked.into_dual(), greedy.matching, seconds)
 }
 
 /// Counts entries into sets, at most three for each triangle; on meshes of more than 180 million
@@ -85,11 +90,11 @@ pub(super) struct Greedy<'g> {
     lowest: LowestSet,
     /// The side of every triangle that is taken for its first.
     first_side: usize,
-    random: Option<&'g mut Random>,
+    random: Option<Shuffler<'g>>,
 }
 
 impl<'g> Greedy<'g> {
-    pub(super) fn new(ranked: RankedGraph, mut random: Option<&'g mut Random>) -> Self {
+    pub(super) fn new(ranked: RankedGraph, mut random: Option<Shuffler<'g>>) -> Self {
         let triangles = ranked.len();
         let mut greedy = Self {
             ranked,
@@ -99,7 +104,7 @@ impl<'g> Greedy<'g> {
             queues: Default::default(),
             irregular: false,
             lowest: LowestSet::default(),
-            first_side: random.as_deref_mut().map_or(0, |random| random.below(3) as usize),
+            first_side: random.as_mut().map_or(0, |random| random.below(3) as usize),
             random,
         };
         if greedy.ranked.has_boundary() {
@@ -113,7 +118,7 @@ impl<'g> Greedy<'g> {
         if self.left == 0 {
             return None;
         }
-        let next = self.pop().or_else(|| self.lowest.pop(&self.ranked, self.random.as_deref_mut()));
+        let next = self.pop().or_else(|| self.lowest.pop(&self.ranked, self.random.as_mut()));
         debug_assert!(next.is_some(), "a triangle that is not done is in a set");
         next
     }
@@ -244,7 +249,7 @@ struct LowestSet {
 
 impl LowestSet {
     /// Takes a triangle of the set: a random one, or else the first.
-    fn pop(&mut self, ranked: &RankedGraph, random: Option<&mut Random>) -> Option<TriangleId> {
+    fn pop(&mut self, ranked: &RankedGraph, random: Option<&mut Shuffler>) -> Option<TriangleId> {
         let is_in = |f: &TriangleId| ranked.priority(*f) == Priority::ThreeFree;
         let Some(random) = random else {
             let found = (self.taken..ranked.len()).map(TriangleId::new).find(is_in)?;
@@ -268,7 +273,7 @@ impl LowestSet {
 }
 
 /// A triangle of set 0 drawn at random from all triangles, if luck will have it.
-fn draw(ranked: &RankedGraph, random: &mut Random) -> Option<TriangleId> {
+fn draw(ranked: &RankedGraph, random: &mut Shuffler) -> Option<TriangleId> {
     const DRAWS: usize = 16;
     let mut draws = (0..DRAWS).map(|_| TriangleId(random.below(ranked.len() as u32)));
     draws.find(|&f| ranked.priority(f) == Priority::ThreeFree)

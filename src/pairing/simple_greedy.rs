@@ -1,6 +1,7 @@
 //! SG, the simple greedy algorithm (Lemos et al., section 3.1): every edge once, in random order;
 //! a free edge pairs up its two triangles.
 
+use super::shuffler::Shuffler;
 use crate::dual::{DualGraph, Matching};
 use crate::random::Random;
 use crate::triangulation::TriangleId;
@@ -10,6 +11,11 @@ use crate::triangulation::TriangleId;
 /// The result is a maximal matching; on irregular meshes 12-13 % of the triangles stay unpaired.
 /// Θ(n) time; 6 bytes a triangle for the edges.
 pub fn simple_greedy(graph: &DualGraph, random: &mut Random) -> Matching {
+    pair_edges(graph, &mut Shuffler::new(random, None))
+}
+
+/// Does the same, and lets `random` take the time of the shuffle.
+pub(super) fn pair_edges(graph: &DualGraph, random: &mut Shuffler) -> Matching {
     let mut edges = edges_of(graph);
     random.shuffle(&mut edges);
     let mut matching = Matching::empty(graph.len());

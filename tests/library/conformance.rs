@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use proptest::prelude::*;
 use triquad::clock::SteppingClock;
 use triquad::mesh::{Faces, Mesh};
-use triquad::pairing::lrs;
+use triquad::pairing::{LRS_ORDER, lrs};
 use triquad::{
     Algorithm, Augmentation, Converter, Expansion, Mismatch, Quadrangulated, Quadrangulation,
     Triangulation, check, check_retriangulation,
@@ -164,14 +164,14 @@ fn contraction_and_expansion_leave_few_unpaired() {
     for (genus, surface) in crate::common::many_surfaces(60) {
         let triangulation = Triangulation::build(&crate::common::face_list(&surface)).unwrap();
         for expansion in Expansion::ALL {
-            let pairing = lrs(&triangulation, expansion);
+            let pairing = lrs(&triangulation, expansion, LRS_ORDER);
             let unpaired = pairing.matching.unpaired_count();
             assert!(unpaired >= 4 && unpaired <= (56 * genus).saturating_sub(12).max(4));
         }
     }
     let two = crate::common::beside(&classic::seven_vertex_torus(), &grids::sphere(5));
     let triangulation = Triangulation::build(&crate::common::face_list(&two)).unwrap();
-    let pairing = lrs(&triangulation, Expansion::Printed);
+    let pairing = lrs(&triangulation, Expansion::Printed, LRS_ORDER);
     assert_eq!(pairing.matching.unpaired_count(), 14 + 4, "components add up");
 }
 

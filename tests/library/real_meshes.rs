@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use triquad::irreducible::{Contractor, Discipline, Order, ramaswami_siqueira};
-use triquad::pairing::lrs;
+use triquad::pairing::{LRS_ORDER, lrs};
 use triquad::quadrangulation::Keep;
 use triquad::random::Random;
 use triquad::simplify::{Shape, Simplifier};
@@ -176,7 +176,7 @@ fn expansion_leaves_as_many_unpaired_as_the_irreducible_triangulation_has() {
         let genus = entry.count("genus");
         assert!(left >= 4 && left <= (56 * genus).saturating_sub(12).max(4));
         let flips = Expansion::ALL.map(|expansion| {
-            let pairing = lrs(&triangulation, expansion);
+            let pairing = lrs(&triangulation, expansion, LRS_ORDER);
             assert_eq!(pairing.matching.unpaired_count(), left, "{}", entry.file());
             pairing.edge_flips
         });

@@ -26,6 +26,8 @@ const START_SECONDS: f64 = 0.02;
 const FRAME_SECONDS: f64 = 0.6e-6;
 /// A search tree of `tarjan`, for each triangle of the mesh.
 const TREE_SECONDS: f64 = 2.0e-9;
+/// The graph of `rebuild`, for each triangle of the mesh.
+const GRAPH_SECONDS: f64 = 50.0e-9;
 
 /// Returns the seconds that one run takes.
 pub fn run_seconds(mesh: &PlannedMesh, run: &PlannedRun) -> f64 {
@@ -36,6 +38,7 @@ pub fn run_seconds(mesh: &PlannedMesh, run: &PlannedRun) -> f64 {
     let paths = run.stop_after_paths.map_or(paths, |most| paths.min(most as f64));
     let a_path = match run.job {
         Job::Convert { augmentation: Augmentation::Tarjan, .. } => TREE_SECONDS * n,
+        Job::Convert { augmentation: Augmentation::Rebuild, .. } => GRAPH_SECONDS * n,
         _ => 10e-6,
     };
     START_SECONDS + (FRAME_SECONDS + facts.seconds) * n + paths * a_path

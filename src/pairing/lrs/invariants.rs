@@ -11,7 +11,7 @@ use super::expanded::{Expanded, ExpansionObserver};
 use super::few_flips::{self, FewFlipsExpansion};
 use super::marks::{EdgeMark, EdgeMarks};
 use super::printed::{PrintedExpansion, expand_all};
-use super::{DISCIPLINE, contract};
+use super::{LRS_ORDER, contract};
 use crate::dual::DualGraph;
 use crate::irreducible::Discipline;
 use crate::mesh::Mesh;
@@ -155,7 +155,7 @@ fn check_outcome(expanded: Expanded, input: &Triangulation, unpaired: usize) -> 
 fn every_expansion_keeps_the_claim() {
     let mut flips = [0; 2];
     for surface in surfaces(60, 61) {
-        let of_surface = observe(&surface, DISCIPLINE);
+        let of_surface = observe(&surface, LRS_ORDER);
         flips.iter_mut().zip(of_surface).for_each(|(sum, flips)| *sum += flips);
     }
     assert!(flips.iter().all(|&flips| flips > 20), "{flips:?}: there is something to see");
@@ -172,12 +172,12 @@ fn any_order_of_contraction_can_be_expanded() {
 #[test]
 fn nothing_to_contract_is_nothing_to_expand() {
     for (surface, unpaired) in [(tetrahedron(), 4), (seven_vertex_torus(), 14)] {
-        let run = expand_all(contract(&triangulation(&surface), DISCIPLINE), &mut ());
+        let run = expand_all(contract(&triangulation(&surface), LRS_ORDER), &mut ());
         let Expanded { matching, edge_flips, .. } = run.finish();
         assert_eq!((matching.unpaired_count(), edge_flips), (unpaired, 0));
-        observe(&surface, DISCIPLINE);
+        observe(&surface, LRS_ORDER);
     }
-    observe(&octahedron(), DISCIPLINE);
+    observe(&octahedron(), LRS_ORDER);
 }
 
 /// Two flipped edges share a triangle of the input: only in the order in which they were flipped do
@@ -207,6 +207,6 @@ proptest! {
 
     #[test]
     fn sculpted_surfaces_keep_the_claim(surface in sculpted()) {
-        observe(&surface, DISCIPLINE);
+        observe(&surface, LRS_ORDER);
     }
 }

@@ -7,11 +7,9 @@
 //! vertices, and a matching of its triangles that misses only as many as the irreducible
 //! triangulation has: 4 on a sphere, at most 56 g - 12 on a surface of genus g > 0.
 //!
-//! Departs from the printed RS in one order: edges that are new at u are tested before older ones.
-//! Printed is the reverse, but what both papers have measured is this: tested first, edges
-//! flipped are 5 to 9 % of most scans, as published (section 5), and link condition tests 0.93 to
-//! 0.99 a vertex on the simplified boxes of genus 0 (Ramaswami-Siqueira, Table 6); tested last they
-//! are 11 to 37 % and 0.7 to 0.95.
+//! Departs from the printed RS in one order, by default: edges that are new at u are tested before
+//! older ones, as from a stack. Printed is a queue. `docs/algorithms.md` has the argument and the
+//! numbers: with the stack fewer edges are flipped.
 
 mod expanded;
 mod few_flips;
@@ -30,8 +28,8 @@ use crate::names::named;
 use crate::triangulation::{ShrinkingTriangulation, Triangulation, VertexId};
 use expanded::Expanded;
 
-/// The end of the list at which edges that are new at a vertex enter, see above.
-const DISCIPLINE: Discipline = Discipline::LastInFirstOut;
+/// The end of the list at which edges that are new at a vertex enter, unless another is chosen.
+pub const LRS_ORDER: Discipline = Discipline::LastInFirstOut;
 
 /// A variant of the expansion of LRS.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -63,10 +61,15 @@ named!(Expansion, "expansion of lrs", id);
 /// Pairs the triangles of 𝒦, a triangulation with the same vertices as `triangulation`, of the same
 /// surface, made from it by edge flips.
 ///
-/// Vertices are contracted in the order of the file. O(n) for surfaces of genus 0 and O(g² + g n)
+/// Vertices are contracted in the order of the file, edges at a vertex in `order`, [`LRS_ORDER`]
+/// if nothing speaks for another. O(n) for surfaces of genus 0 and O(g² + g n)
 /// for genus g > 0; about 90 bytes a triangle while it runs, `triangulation` not counted.
-pub fn lrs(triangulation: &Triangulation, expansion: Expansion) -> InitialPairing<'_> {
-    let reduction = contract(triangulation, DISCIPLINE);
+pub fn lrs(
+    triangulation: &Triangulation,
+    expansion: Expansion,
+    order: Discipline,
+) -> InitialPairing<'_> {
+    let reduction = contract(triangulation, order);
     let Expanded { triangulation, dual, matching, edge_flips } = match expansion {
         Expansion::Printed => printed::expand_all(reduction, &mut ()).finish(),
         Expansion::FewFlips => few_flips::expand_all(reduction, &mut ()).finish(triangulation),
