@@ -1,21 +1,55 @@
 //! The failure of a verb.
 
+use serde::Serialize;
+
 /// An exit code other than 0 and its message.
+#[derive(Serialize)]
 pub struct Failure {
     /// Exit code.
+    #[serde(rename = "exit_code")]
     pub code: u8,
     /// One line for standard error.
     pub message: String,
+    /// Parts of the message.
+    #[serde(flatten)]
+    facts: Option<Box<Facts>>,
+}
+
+/// What is wrong with a file, for programs.
+#[derive(Serialize)]
+pub struct Facts {
+    pub file: String,
+    pub law: Option<&'static str>,
+    pub element: Option<String>,
+    pub count: Option<usize>,
+    pub remedy: &'static str,
 }
 
 impl Failure {
     /// Makes the failure of a check.
     pub fn no(message: String) -> Self {
-        Self { code: 1, message }
+        Self { code: 1, message, facts: None }
     }
 
     /// Makes the failure of bad input or usage.
     pub fn bad(message: String) -> Self {
-        Self { code: 2, message }
+        Self { code: 2, message, facts: None }
+    }
+
+    /// Adds the parts of the message.
+    pub fn with(self, facts: Facts) -> Self {
+        Self { facts: Some(Box::new(facts)), ..self }
+    }
+
+    /// Returns the failure as JSON on one line.
+    pub fn json(&self) -> String {
+        #[derive(Serialize)]
+        struct Record<'a> {
+            schema: &'static str,
+            #[serde(flatten)]
+            failure: &'a Failure,
+        }
+        let record = Record { schema: "triquad-failure-1", failure: self };
+        serde_json::to_string(&record).expect("text and numbers")
     }
 }

@@ -11,17 +11,14 @@ use crate::formats::reads;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 
-/// Tell what a mesh is: counts, genus, components, and every law that it breaks
+/// Print counts, genus and components of a mesh, and every law that it breaks
 ///
-/// Exit code 2 if the mesh is not a triangulation of closed surfaces; everything is still printed.
+/// Exit code 2 if the mesh is not a triangulation of closed surfaces; all counts are printed anyway.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad info bunny.obj\n  triquad info scan.stl --json")]
 pub struct Arguments {
     #[arg(value_name = "IN", help = reads("The mesh"))]
     input: PathBuf,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// Everything that is printed of a mesh.
@@ -65,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     status.say("examining the mesh");
     let info = Info::new(arguments.input.display().to_string(), &mesh);
     drop(status);
-    let text = if arguments.json {
+    let text = if stdio::voice().json {
         serde_json::to_string_pretty(&info).map_err(|error| Failure::bad(error.to_string()))?
     } else {
         describe(&info)

@@ -6,7 +6,7 @@ use triquad::mesh::{Format, MeshError};
 use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
 
-use crate::failure::Failure;
+use crate::failure::{Facts, Failure};
 use crate::stdio;
 
 /// Options that turn a mesh into a triangulation.
@@ -29,7 +29,7 @@ pub fn read(path: &Path) -> Result<Mesh, Failure> {
 pub fn tell_left_out(path: &Path, left_out: &[String]) {
     if !left_out.is_empty() {
         let what = left_out.join(", ");
-        stdio::complain(&format!("{}: note: not carried over: {what}", path.display()));
+        stdio::note(&format!("{}: note: not carried over: {what}", path.display()));
     }
 }
 
@@ -90,7 +90,10 @@ pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Fail
 
 /// Makes the failure of a file that could not be read or written.
 pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
-    Failure::bad(format!("{}: {error}; {}", path.display(), error.remedy()))
+    let remedy = error.remedy();
+    let failure = Failure::bad(format!("{}: {error}; {remedy}", path.display()));
+    let file = path.display().to_string();
+    failure.with(Facts { file, law: None, element: None, count: None, remedy })
 }
 
 /// Makes the failure of a mesh that is no triangulation: its first broken law, the number of
@@ -109,6 +112,9 @@ pub fn refusal(path: &Path, survey: &Survey, other_remedy: Option<&str>) -> Fail
     };
     let (name, remedy) = (first.law.name(), first.law.remedy());
     let other_remedy = other_remedy.map(|remedy| format!("; {remedy}")).unwrap_or_default();
-    let path = path.display();
-    Failure::bad(format!("{path}: {first}{from_one} [{name}]{others}; {remedy}{other_remedy}"))
+    let file = path.display().to_string();
+    let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}{other_remedy}");
+    let element = Some(first.element.to_string());
+    let facts = Facts { file, law: Some(name), element, count: Some(first.count), remedy };
+    Failure::bad(message).with(facts)
 }

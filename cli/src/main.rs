@@ -1,7 +1,8 @@
 //! The command-line tool: parses arguments, calls the library and the laboratory, prints.
 //!
 //! Each verb is a file: `convert`, `irreducible`, `check`, `info`, `generate`, `simplify`, `plan`,
-//! `run`, `merge`, `import`, `report`, `compare`, `paper`. The other files are shared by several verbs.
+//! `run`, `merge`, `import`, `report`, `compare`, `paper`, `draw`; `completions` and `man` share
+//! `manual`. The other files are shared by several verbs.
 //!
 //! Exit codes: 0 done; 1 a check failed; 2 bad input or usage. A failure is one line on standard
 //! error with the file, the place, the law and the remedy.
@@ -13,6 +14,7 @@ mod check;
 mod compare;
 mod comparison;
 mod convert;
+mod draw;
 mod experiments;
 mod failure;
 mod formats;
@@ -24,6 +26,7 @@ mod info;
 mod input;
 mod irreducible;
 mod machine;
+mod manual;
 mod merge;
 mod names;
 mod paper;
@@ -32,6 +35,7 @@ mod progress;
 mod reduction;
 mod report;
 mod run;
+mod several;
 mod simplify;
 mod stdio;
 mod targets;
@@ -42,6 +46,7 @@ use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
+use failure::Failure;
 use formats::FORMATS;
 
 #[cfg(target_os = "linux")]
@@ -50,19 +55,21 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 
 /// All-quadrilateral meshes from triangle meshes of closed surfaces.
 ///
-/// Pairs up edge-adjacent triangles so that none is left over and removes the edge between the two
-/// of each pair: every vertex stays where it is, every other edge stays, and every face is a quad.
-/// That always works on a closed surface (Petersen's theorem).
+/// Pairs up edge-adjacent triangles, none left over, and removes the edge between the two of each
+/// pair. Every vertex and every other edge stays, and every face is a quad. On a closed surface this
+/// is always possible (Petersen's theorem).
 #[derive(Parser)]
 #[command(version, after_help = format!(
     "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is OBJ on standard input or \
-     output.\nExit codes: 0 done, 1 a check said no, 2 bad input or usage.\n\n\
+     output.\nExit codes: 0 done, 1 a check failed, 2 bad input or usage.\n\n\
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {
     /// Use N threads, by default one for each core; the results are the same
     #[arg(long, global = true, value_name = "N", help_heading = "Everywhere")]
     threads: Option<NonZeroUsize>,
+    #[command(flatten)]
+    voice: stdio::Voice,
     #[command(subcommand)]
     verb: Verb,
 }
@@ -82,6 +89,9 @@ enum Verb {
     Report(report::Arguments),
     Compare(compare::Arguments),
     Paper(paper::Arguments),
+    Draw(draw::Arguments),
+    Completions(manual::Completions),
+    Man(manual::Manual),
 }
 
 /// Ends a run of an experiment with the process that started it, even if that is killed.
@@ -132,6 +142,7 @@ fn main() -> ExitCode {
     clean_up_when_interrupted();
     let result = match Arguments::try_parse() {
         Ok(arguments) => {
+            stdio::settle(arguments.voice);
             threads::settle(arguments.threads);
             run(arguments.verb)
         }
@@ -140,13 +151,13 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            stdio::complain(&failure.message);
+            stdio::fail(&failure);
             ExitCode::from(failure.code)
         }
     }
 }
 
-fn run(verb: Verb) -> Result<(), failure::Failure> {
+fn run(verb: Verb) -> Result<(), Failure> {
     match verb {
         Verb::Convert(arguments) => convert::run(&arguments),
         Verb::Irreducible(arguments) => irreducible::run(&arguments),
@@ -161,6 +172,9 @@ fn run(verb: Verb) -> Result<(), failure::Failure> {
         Verb::Report(arguments) => report::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Paper(arguments) => paper::run(&arguments),
+        Verb::Draw(arguments) => draw::run(&arguments),
+        Verb::Completions(arguments) => manual::print_completions::<Arguments>(&arguments),
+        Verb::Man(arguments) => manual::print_manual::<Arguments>(&arguments),
     }
 }
 
@@ -175,6 +189,10 @@ fn explain_usage(error: &clap::Error) -> ExitCode {
     let text = error.to_string();
     let first = text.split("\n\n").next().unwrap_or_default();
     let words: Vec<&str> = first.trim_start_matches("error: ").split_whitespace().collect();
-    stdio::complain(&format!("{}; 'triquad --help' explains", words.join(" ")));
-    ExitCode::from(2)
+    // The arguments that say how to print were not parsed.
+    let json = std::env::args_os().any(|argument| argument == "--json");
+    stdio::settle(stdio::Voice { json, ..stdio::Voice::default() });
+    let failure = Failure::bad(format!("{}; 'triquad --help' explains", words.join(" ")));
+    stdio::fail(&failure);
+    ExitCode::from(failure.code)
 }

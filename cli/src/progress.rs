@@ -1,16 +1,20 @@
 //! Progress on standard error when that is a terminal.
 
 use std::ops::ControlFlow;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::{Progress, Stage};
 
+use crate::stdio;
+
 /// One line with the current step and, during augmentation, the number of paths found.
 ///
-/// Hidden where standard error is no terminal; cleared when dropped.
+/// Hidden where standard error is no terminal; cleared when dropped. Where much shall be printed,
+/// every step is a line that stays.
 pub struct StatusLine {
     bar: ProgressBar,
+    start: Instant,
     /// Augmenting paths until the conversion is stopped.
     paths_left: usize,
 }
@@ -18,10 +22,17 @@ pub struct StatusLine {
 impl StatusLine {
     /// Shows `message`.
     pub fn new(message: &str) -> Self {
-        let bar = ProgressBar::new_spinner();
-        bar.enable_steady_tick(Duration::from_millis(120));
-        bar.set_message(message.to_owned());
-        Self { bar, paths_left: usize::MAX }
+        let stdio::Voice { quiet, verbose, .. } = stdio::voice();
+        let bar = if quiet || verbose {
+            ProgressBar::hidden()
+        } else {
+            let bar = ProgressBar::new_spinner();
+            bar.enable_steady_tick(Duration::from_millis(120));
+            bar
+        };
+        let line = Self { bar, start: Instant::now(), paths_left: usize::MAX };
+        line.say(message);
+        line
     }
 
     /// Stops a conversion after `paths` augmenting paths.
@@ -33,6 +44,17 @@ impl StatusLine {
     pub fn say(&self, message: &str) {
         self.bar.set_style(ProgressStyle::default_spinner());
         self.bar.set_message(message.to_owned());
+        self.keep(message);
+    }
+}
+
+impl StatusLine {
+    /// Prints a line that stays, if much shall be printed.
+    fn keep(&self, message: &str) {
+        if stdio::voice().verbose {
+            let seconds = self.start.elapsed().as_secs_f64();
+            stdio::complain(&format!("{seconds:.3} s: {message}"));
+        }
     }
 }
 
@@ -48,7 +70,9 @@ impl Progress for StatusLine {
                     self.bar.set_style(style);
                 }
                 self.bar.reset();
-                self.bar.set_length(paths.min(self.paths_left) as u64);
+                let paths = paths.min(self.paths_left);
+                self.bar.set_length(paths as u64);
+                self.keep(&format!("augmenting paths: {paths} to be found"));
             }
             _ => {}
         }

@@ -129,10 +129,10 @@ impl<'a> Targets<'a> {
     /// Prints the summary on standard error if standard output takes a mesh or statistics.
     fn report(&self, line: &str) -> Result<(), Failure> {
         if self.paths.targets().into_iter().filter_map(|target| target.1).any(is_stdio) {
-            stdio::complain(line);
+            stdio::note(line);
             Ok(())
         } else {
-            stdio::say(line)
+            stdio::summarise(line)
         }
     }
 }

@@ -78,8 +78,28 @@ fn raise(maker: &str, arguments: impl for<'py> pyo3::call::PyCallArgs<'py>) -> P
 }
 
 impl From<Box<Survey>> for Failure {
-    /// Names the first broken law and the number of others.
     fn from(survey: Box<Survey>) -> Self {
+        Self::refusal(&survey, "")
+    }
+}
+
+impl Failure {
+    /// Makes the failure of a check of `quads` quads and triangles left over behind them.
+    pub fn of_check(mismatch: Mismatch, quads: usize) -> Self {
+        let (law, element) = place(mismatch);
+        let argument = match (law, element.1.first()) {
+            ("bad-triangle" | "triangle-twice" | "triangle-unused", _) => "triangles",
+            (_, Some(&face)) if element.0 == "face" && face >= quads as u64 => "leftover",
+            _ => "quads",
+        };
+        let message = format!("{argument}: {mismatch} (counted from 1)");
+        let remedy = String::new();
+        Self::Mesh(Box::new(MeshFailure { message, law, element, count: 1, remedy }))
+    }
+
+    /// Makes the failure of a mesh that is refused: names the first broken law, the number of
+    /// others, and a second remedy.
+    fn refusal(survey: &Survey, other_remedy: &str) -> Self {
         let first = survey.violations[0];
         let others = match survey.violations.len() - 1 {
             0 => String::new(),
@@ -87,7 +107,7 @@ impl From<Box<Survey>> for Failure {
             more => format!(" ({more} other laws are broken, see triquad.survey)"),
         };
         let argument = if first.law == Law::FiniteCoordinate { "vertices" } else { "triangles" };
-        let remedy = remedy(first.law);
+        let remedy = remedy(first.law) + other_remedy;
         Self::Mesh(Box::new(MeshFailure {
             message: format!("{argument}: {}{others}; {remedy}", sentence(&first)),
             law: first.law.name(),
@@ -96,47 +116,30 @@ impl From<Box<Survey>> for Failure {
             remedy,
         }))
     }
-}
 
-impl From<ConvertError> for Failure {
-    fn from(error: ConvertError) -> Self {
+    /// Makes the failure of a conversion with the options `open` and `orient`.
+    pub fn of_conversion(error: ConvertError, open: bool, orient: bool) -> Self {
         match error {
+            ConvertError::Refused(survey) if !open && survey.is_open_surface(orient) => {
+                Self::refusal(&survey, "; open=True converts it and leaves the fewest triangles")
+            }
             ConvertError::Refused(survey) => survey.into(),
             ConvertError::Stopped(_) => Self::Stopped,
+            ConvertError::NoSuchEdge(edge) => {
+                let [a, b] = edge.ends;
+                let problem = format!("({a}, {b}) is no edge of the mesh");
+                Self::Value(format!("keep_edges: row {}: {problem}", edge.position))
+            }
+            ConvertError::CostCount(_) | ConvertError::Costs(_) => {
+                Self::Value(format!("cost: {error}"))
+            }
+            ConvertError::NeedsBest { .. } | ConvertError::NeedsClosed(_) => {
+                Self::Value(format!("algorithm: {error}"))
+            }
             error => Self::Value(error.to_string()),
         }
     }
-}
 
-impl From<Mismatch> for Failure {
-    fn from(mismatch: Mismatch) -> Self {
-        use Mismatch as M;
-        let face = |face: usize| ("face", vec![face as u64]);
-        let vertex = |vertex: usize| ("vertex", vec![vertex as u64]);
-        let edge = |a: u32, b: u32| ("edge", vec![a.into(), b.into()]);
-        let (law, element) = match mismatch {
-            M::BadTriangle(triangle) => ("bad-triangle", face(triangle)),
-            M::NotAQuad(quad) => ("not-a-quad", face(quad)),
-            M::RepeatedCorner(quad) => ("repeated-corner", face(quad)),
-            M::NotAPair(quad) => ("not-a-pair", face(quad)),
-            M::TriangleTwice(triangle) => ("triangle-twice", face(triangle)),
-            M::TriangleUnused(triangle) => ("triangle-unused", face(triangle)),
-            M::EdgeTwice(a, b) => ("edge-twice", edge(a, b)),
-            M::EdgeOpen(a, b) => ("edge-open", edge(a, b)),
-            M::Moved(v) => ("moved", vertex(v)),
-            M::VertexUse(v) => ("vertex-use", vertex(v)),
-            M::Fans(v) => ("several-fans", vertex(v)),
-            M::Component(v) => ("component", vertex(v)),
-            M::EulerCharacteristic { .. } => ("euler-characteristic", ("mesh", vec![])),
-            _ => ("vertex-count", ("mesh", vec![])),
-        };
-        let message = format!("quads: {mismatch} (counted from 1)");
-        let remedy = String::new();
-        Self::Mesh(Box::new(MeshFailure { message, law, element, count: 1, remedy }))
-    }
-}
-
-impl Failure {
     /// Makes the failure of a file that could not be read or written.
     pub fn of_file(error: MeshError, path: PathBuf) -> Self {
         let (law, place) = match &error {
@@ -204,4 +207,31 @@ pub fn remedy(law: Law) -> String {
         None => word.to_owned(),
     };
     law.remedy().split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// Returns the name of a mismatch and the element that it is about.
+fn place(mismatch: Mismatch) -> (&'static str, PythonElement) {
+    use Mismatch as M;
+    let face = |face: usize| ("face", vec![face as u64]);
+    let vertex = |vertex: usize| ("vertex", vec![vertex as u64]);
+    let edge = |a: u32, b: u32| ("edge", vec![a.into(), b.into()]);
+    match mismatch {
+        M::BadTriangle(triangle) => ("bad-triangle", face(triangle)),
+        M::NotAQuad(quad) => ("not-a-quad", face(quad)),
+        M::NotATriangleOrQuad(quad) => ("not-a-triangle-or-quad", face(quad)),
+        M::NotATriangle(left) => ("not-a-triangle", face(left)),
+        M::Turned(quad) => ("turned", face(quad)),
+        M::RepeatedCorner(quad) => ("repeated-corner", face(quad)),
+        M::NotAPair(quad) => ("not-a-pair", face(quad)),
+        M::TriangleTwice(triangle) => ("triangle-twice", face(triangle)),
+        M::TriangleUnused(triangle) => ("triangle-unused", face(triangle)),
+        M::EdgeTwice(a, b) => ("edge-twice", edge(a, b)),
+        M::EdgeOpen(a, b) => ("edge-open", edge(a, b)),
+        M::Moved(v) => ("moved", vertex(v)),
+        M::VertexUse(v) => ("vertex-use", vertex(v)),
+        M::Fans(v) => ("several-fans", vertex(v)),
+        M::Component(v) => ("component", vertex(v)),
+        M::EulerCharacteristic { .. } => ("euler-characteristic", ("mesh", vec![])),
+        _ => ("vertex-count", ("mesh", vec![])),
+    }
 }

@@ -13,7 +13,7 @@ use crate::worker;
 /// Reads a mesh file. Returns positions and faces of one size.
 #[pyfunction]
 pub fn read(py: Python<'_>, path: PathBuf, triangulate: bool) -> PyResult<MeshArrays<'_>> {
-    let (mesh, arity) = worker::run(py, move |_| {
+    let (mesh, arity) = worker::run(py, 0, move |_| {
         let mut mesh = Mesh::read(&path).map_err(|error| Failure::of_file(error, path.clone()))?;
         if triangulate {
             mesh.triangulate();
@@ -52,7 +52,7 @@ pub fn write(
         _ => indices::<4>("faces", faces)?.into_flattened(),
     };
     let leftover = leftover.map(|array| indices::<3>("leftover", array)).transpose()?;
-    worker::run(py, move |_| {
+    worker::run(py, 0, move |_| {
         let mut faces = Faces::uniform(arity, corners);
         faces.extend(leftover.unwrap_or_default());
         let mesh = Mesh::new(positions, faces);

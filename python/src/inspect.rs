@@ -2,25 +2,42 @@
 
 use pyo3::prelude::*;
 use serde_json::{Value, json};
+use triquad::mesh::Faces;
+use triquad::quadrangulation::check_mixed;
 use triquad::{Mesh, Survey, Violation};
 
 use crate::arrays::{faces_alone, indices, positions};
-use crate::failure::{element, remedy, sentence};
+use crate::failure::{Failure, element, remedy, sentence};
 use crate::worker;
 
-/// Checks quads against triangles on the same vertices. Returns counts as JSON.
+/// Checks quads, and triangles left over, against triangles on the same vertices. Returns counts as
+/// JSON. With `open` the surface may have a boundary or one side.
 #[pyfunction]
 pub fn check(
     py: Python<'_>,
     quads: &Bound<'_, PyAny>,
     triangles: &Bound<'_, PyAny>,
+    leftover: &Bound<'_, PyAny>,
+    open: bool,
 ) -> PyResult<String> {
-    let quads = faces_alone("quads", indices::<4>("quads", quads)?)?;
+    let quads = indices::<4>("quads", quads)?;
     let triangles = faces_alone("triangles", indices::<3>("triangles", triangles)?)?;
-    worker::run(py, move |_| {
-        let report = triquad::check(&quads, &triangles)?;
+    let leftover = indices::<3>("leftover", leftover)?;
+    worker::run(py, 0, move |_| {
+        let (count, mixed) = (quads.len(), open || !leftover.is_empty());
+        let mut faces = Faces::uniform(4, quads.into_flattened());
+        faces.extend(leftover);
+        let vertices = triangles.positions().to_vec();
+        let quads = Mesh::new(vertices, faces);
+        let report = if mixed {
+            check_mixed(&quads, &triangles).map(|check| check.report)
+        } else {
+            triquad::check(&quads, &triangles)
+        };
+        let report = report.map_err(|mismatch| Failure::of_check(mismatch, count))?;
         let counts = json!({
             "quads": report.quads,
+            "triangles": report.triangles,
             "vertices": report.vertices,
             "degree_two_vertices": report.degree_two_vertices,
             "euler_characteristic": report.euler_characteristic,
@@ -37,7 +54,7 @@ pub fn survey(
     triangles: &Bound<'_, PyAny>,
 ) -> PyResult<String> {
     let mesh = Mesh::from_triangles(positions(vertices)?, indices("triangles", triangles)?);
-    worker::run(py, move |_| Ok(described(&Survey::new(&mesh)).to_string()))
+    worker::run(py, 0, move |_| Ok(described(&Survey::new(&mesh)).to_string()))
 }
 
 fn described(survey: &Survey) -> Value {
@@ -48,6 +65,7 @@ fn described(survey: &Survey) -> Value {
         "triangles": survey.triangles,
         "euler_characteristic": survey.euler_characteristic,
         "genus": survey.genus(),
+        "non_orientable_genus": survey.non_orientable_genus(),
         "components": survey.components,
         "boundary_loops": survey.boundary_loops,
         "orientable": survey.orientable,

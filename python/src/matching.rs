@@ -33,7 +33,7 @@ pub fn solve<'py>(
     let costs = integers(&costs);
     let named = node_count("edges", edges.as_flattened())?;
     let nodes = nodes.unwrap_or(named);
-    let solution = worker::run(py, move |cancel| {
+    let solution = worker::run(py, 0, move |cancel| {
         let edges: Vec<(u32, u32)> = edges.into_iter().map(Into::into).collect();
         let prices = price.map_or(Prices::None, Prices::Equal);
         let problem = EdgeList::new(nodes, &edges, &costs).with_prices(prices);

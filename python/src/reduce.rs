@@ -27,7 +27,7 @@ pub fn irreducible<'py>(
     let algorithm: Contractor = named("algorithm", algorithm)?;
     let order: Order = named("order", order)?;
     let mesh = faces_alone("triangles", indices::<3>("triangles", triangles)?)?;
-    let (left, counts) = worker::run(py, move |_| {
+    let (left, counts) = worker::run(py, 0, move |_| {
         let triangulation = Triangulation::build(&mesh)?;
         let size = (triangulation.component_count(), triangulation.genus());
         let counts = input_counts(&triangulation);
@@ -48,7 +48,7 @@ pub fn simplify<'py>(
     vertex_count: usize,
 ) -> PyResult<MeshArrays<'py>> {
     let mesh = Mesh::from_triangles(positions(vertices)?, indices("triangles", triangles)?);
-    let simplified = worker::run(py, move |cancel| {
+    let simplified = worker::run(py, 0, move |cancel| {
         let triangulation = Triangulation::build(&mesh)?;
         let mut simplifier = Simplifier::new(triangulation, mesh.positions());
         drop(mesh);

@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use rayon::ThreadPoolBuilder;
 use triquad::Progress;
 
 use crate::failure::Failure;
@@ -42,23 +43,30 @@ impl Progress for Cancel {
     }
 }
 
-/// Runs `work` in a thread of its own without the interpreter lock.
+/// Runs `work` in a thread of its own without the interpreter lock. Its parallel parts use
+/// `threads` threads, or one for each core for 0.
 ///
-/// An interrupt is raised at once. The work then ends at its next look at `Cancel`; its result is
+/// These threads end with the call, so that a process may be forked after it. An interrupt is raised at once. The work then ends at its next look at `Cancel`; its result is
 /// dropped.
 ///
 /// # Errors
 /// Those of `work`, the exception of a signal handler, and `RuntimeError` if `work` panics.
 pub fn run<T: Send + 'static>(
     py: Python<'_>,
+    threads: usize,
     work: impl FnOnce(&Cancel) -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
     let cancel = Cancel::default();
     let (sender, mut receiver) = channel();
     let seen = cancel.clone();
     thread::Builder::new().name("triquad".into()).spawn(move || {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let result = match pool {
+            Ok(pool) => pool.install(|| work(&seen)),
+            Err(error) => Err(Failure::Value(format!("threads: {error}"))),
+        };
         // Nobody listens after an interrupt.
-        let _ = sender.send(work(&seen));
+        let _ = sender.send(result);
     })?;
     loop {
         let waiting = &mut receiver;

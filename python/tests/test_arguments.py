@@ -24,6 +24,9 @@ CALLS: dict[str, Callable[[Any], object]] = {
     "simplify vertices": lambda x: triquad.simplify(x, TRIANGLES, 20),
     "simplify triangles": lambda x: triquad.simplify(VERTICES, x, 20),
     "check quads": lambda x: triquad.check(x, TRIANGLES),
+    "check leftover": lambda x: triquad.check(QUADS, TRIANGLES, x),
+    "convert keep_edges": lambda x: triquad.convert(VERTICES, TRIANGLES, keep_edges=x),
+    "convert cost": lambda x: triquad.convert(VERTICES, TRIANGLES, cost=x),
     "check triangles": lambda x: triquad.check(QUADS, x),
     "survey vertices": lambda x: triquad.survey(x, TRIANGLES),
     "survey triangles": lambda x: triquad.survey(VERTICES, x),
@@ -39,6 +42,8 @@ RIGHT = {
     "triangles": TRIANGLES,
     "quads": QUADS,
     "edges": EDGES,
+    "keep_edges": TRIANGLES[:4, :2],
+    "cost": np.arange(3 * len(TRIANGLES) // 2),
     "costs": np.array([1, 1, 1, 1]),
     "faces": QUADS,
     "leftover": TRIANGLES[:2],
@@ -60,7 +65,7 @@ def shapeless(right: np.ndarray) -> Iterator[Any]:
 def test_arrays_of_the_wrong_shape_or_kind_are_refused_by_name(call: str) -> None:
     argument = call.split()[1]
     for wrong in shapeless(RIGHT[argument]):
-        if argument == "leftover" and wrong is None:
+        if argument in ("leftover", "keep_edges") and wrong is None:
             continue
         with pytest.raises((TypeError, ValueError), match=f"^{argument}: "):
             CALLS[call](wrong)
@@ -77,7 +82,7 @@ def wrong_values(right: np.ndarray) -> Iterator[Any]:
     yield array
 
 
-@pytest.mark.parametrize("call", [call for call in CALLS if call.split()[1] in ("triangles", "quads", "edges", "faces", "leftover")])
+@pytest.mark.parametrize("call", [call for call in CALLS if RIGHT[call.split()[1]].dtype.kind in "iu" and "cost" not in call])
 def test_indices_of_no_vertex_are_refused_by_name(call: str) -> None:
     argument = call.split()[1]
     for wrong in wrong_values(RIGHT[argument]):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -53,6 +54,81 @@ def test_options_reach_the_converter(cost: str, augmentation: str) -> None:
     assert triquad.check(quads, triangles).quads == len(triangles) // 2
     best = triquad.convert(vertices, triangles, cost=cost)[1]
     assert best.proved_least and best.summary.startswith("180 triangles (genus 1) -> 90 quads")
+
+
+def strip(width: int, height: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return a rectangle of an odd number of triangles."""
+    i, j = (x.ravel() for x in np.mgrid[: width + 1, : height + 1])
+    corner = lambda i, j: i * (height + 1) + j  # noqa: E731
+    i0, j0 = (x.ravel() for x in np.mgrid[:width, :height])
+    a, b, c, d = corner(i0, j0), corner(i0 + 1, j0), corner(i0 + 1, j0 + 1), corner(i0, j0 + 1)
+    triangles = np.column_stack((a, b, c, a, c, d)).reshape(-1, 3)
+    return np.column_stack((i, j, 0 * i)).astype(float), triangles[:-1]
+
+
+def test_open_surfaces_leave_the_fewest_triangles(command: Command, tmp_path: Path) -> None:
+    vertices, triangles = strip(4, 5)
+    with pytest.raises(triquad.MeshError, match="open=True converts it") as refused:
+        triquad.convert(vertices, triangles)
+    assert refused.value.law == "boundary-edge"
+    for algorithm in ("best", "tq", "ps", "sg"):
+        quads, report = triquad.convert(vertices, triangles, algorithm, open=True)
+        assert quads.shape == (19, 4) and report.leftover.shape == (1, 3)
+        assert report.leftover_triangles == 1 and report.proved_fewest
+        checked = triquad.check(quads, triangles, report.leftover)
+        assert (checked.triangles, checked.euler_characteristic) == (1, 1)
+    with pytest.raises(ValueError, match="^algorithm: ds works on closed"):
+        triquad.convert(vertices, triangles, "ds", open=True)
+    given, out = tmp_path / "a.obj", tmp_path / "b.obj"
+    triquad.write(given, vertices, triangles)
+    command("convert", given, "--open", "-o", out)
+    quads, report = triquad.convert(vertices, triangles, open=True)
+    faces = [line for line in out.read_text().splitlines() if line.startswith("f ")]
+    ours = ["f " + " ".join(map(str, face + 1)) for face in (*quads, *report.leftover)]
+    assert sorted(faces) == sorted(ours)
+
+
+def test_edges_are_kept_and_the_others_are_given_up() -> None:
+    vertices, triangles = TETRAHEDRON
+    quads, report = triquad.convert(vertices, triangles, keep_edges=[[0, 1], [2, 3], [0, 3]])
+    assert report.given_up.tolist() == [[0, 3]]
+    assert (report.kept_edges, report.given_up_edges) == (3, 1)
+    options = {"keep_edges": [[0, 1], [2, 3], [0, 3]], "strict": True}
+    quads, report = triquad.convert(vertices, triangles, **options)
+    assert (len(quads), len(report.leftover), len(report.given_up)) == (1, 2, 0)
+    assert triquad.check(quads, triangles, report.leftover).triangles == 2
+    _, report = triquad.convert(*TETRAHEDRON, keep_sharp=30.0)
+    assert (report.kept_edges, report.given_up_edges) == (6, 2)
+    with pytest.raises(ValueError, match=r"^keep_edges: row 1: \(0, 7\) is no edge"):
+        triquad.convert(vertices, triangles, keep_edges=[[0, 1], [0, 7]])
+    with pytest.raises(ValueError, match="^algorithm: edges to keep cannot be given to tq"):
+        triquad.convert(vertices, triangles, "tq", keep_sharp=30)
+    for wrong in (-1, 181, np.nan):
+        with pytest.raises(ValueError, match="^keep_sharp: "):
+            triquad.convert(vertices, triangles, keep_sharp=wrong)
+    with pytest.raises(TypeError, match="^keep_sharp: "):
+        triquad.convert(vertices, triangles, keep_sharp="30")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="^strict: "):
+        triquad.convert(vertices, triangles, strict=True)
+
+
+def test_costs_and_prices_decide() -> None:
+    vertices, triangles = TETRAHEDRON
+    # The edges in the order in which the triangles first pass them: 02, 21, 10, 13, 30, 23.
+    quads, report = triquad.convert(vertices, triangles, cost=[9, 1, 9, 9, 1, 9])
+    assert report.total_cost == 2
+    assert triquad.convert(vertices, triangles, cost=[9, 9, 1, 9, 9, 1])[1].total_cost == 2
+    quads, report = triquad.convert(vertices, triangles, cost=[9] * 6, quad_dominant=4)
+    assert (len(quads), len(report.leftover)) == (0, 4)
+    for price, left in ((-1000, 4), (1000, 0)):
+        report = triquad.convert(vertices, triangles, quad_dominant=price)[1]
+        assert report.leftover_triangles == left
+    with pytest.raises(ValueError, match="^cost: "):
+        triquad.convert(vertices, triangles, cost=[1, 2])
+    with pytest.raises(ValueError, match="^cost: .*does not fit 32 bits"):
+        triquad.convert(vertices, triangles, cost=[2**31] * 6)
+    with pytest.raises(ValueError, match="^quad_dominant: "):
+        triquad.convert(vertices, triangles, quad_dominant=np.nan)
 
 
 def test_options_that_are_not_there_are_refused_by_name() -> None:
@@ -140,6 +216,29 @@ def test_eight_threads_at_once_get_the_same() -> None:
     assert all(np.array_equal(quads[0], other) for other in quads)
 
 
+@pytest.mark.parametrize("algorithm", ["best", "ps"])
+def test_results_do_not_depend_on_the_number_of_threads(algorithm: str) -> None:
+    vertices, triangles = torus(120, 130)
+    one, report = triquad.convert(vertices, triangles, algorithm, threads=1)
+    for threads in (2, 5, None):
+        assert np.array_equal(triquad.convert(vertices, triangles, algorithm, threads=threads)[0], one)
+    for wrong in (0, -1, 2000):
+        with pytest.raises(ValueError, match="^threads: "):
+            triquad.convert(vertices, triangles, threads=wrong)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no processes are forked here")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_forked_process_converts_too() -> None:
+    vertices, triangles = torus(60, 70)
+    quads, _ = triquad.convert(vertices, triangles)
+    child = os.fork()
+    if child == 0:
+        same = np.array_equal(triquad.convert(vertices, triangles)[0], quads)
+        os._exit(0 if same else 1)
+    assert os.waitpid(child, 0)[1] == 0
+
+
 SLOW = "triquad.convert(*torus(300, 300), 'sg', augmentation='tarjan')"
 
 
@@ -179,5 +278,8 @@ def test_ctrl_c_ends_a_long_call_and_its_work() -> None:
         assert process.stdout is not None and process.stdout.readline() == "ready\n"
         time.sleep(1.0)
         process.send_signal(signal.SIGINT)
-        output, _ = process.communicate(timeout=60)
+        try:
+            output, _ = process.communicate(timeout=60)
+        finally:
+            process.kill()
         assert (process.returncode, output) == (0, "stopped\n")

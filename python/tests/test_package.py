@@ -58,7 +58,8 @@ def test_errors_can_be_pickled() -> None:
 def test_types_are_those_of_the_stubs(tmp_path: Path) -> None:
     pytest.importorskip("mypy")
     sources = Path(__file__).resolve().parents[1]
-    stubtest = ["mypy.stubtest", "triquad", "--ignore-disjoint-bases"]
+    settings = str(sources / "pyproject.toml")
+    stubtest = ["mypy.stubtest", "triquad", "--mypy-config-file", settings]
     for words, folder in ((["mypy"], sources), (stubtest, tmp_path)):
         words = [sys.executable, "-m", *words]
         run = subprocess.run(words, cwd=folder, capture_output=True, text=True)

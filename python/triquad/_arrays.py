@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, SupportsIndex
+from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,24 +29,36 @@ def face_array(value: ArrayLike) -> NDArray[Any]:
     return index_array("faces", value, 3 if width == (3,) else 4)
 
 
-def integer_array(name: str, value: ArrayLike, length: int) -> NDArray[np.int64]:
-    """Return integers as an array of shape (length,)."""
-    array = np.asarray([], np.int64) if _is_empty_list(value) else _array(name, value, "iu")
-    if array.shape != (length,):
-        raise ValueError(f"{name}: expected shape ({length},), got {array.shape}")
-    if array.dtype == np.uint64 and array.size and array.max() > np.iinfo(np.int64).max:
-        raise ValueError(f"{name}: {array.max()} does not fit 64 bits with a sign")
-    return np.ascontiguousarray(array, dtype=np.int64)
+def integer_array(name: str, value: ArrayLike, dtype: type[np.signedinteger]) -> NDArray[Any]:
+    """Return integers as a contiguous array of shape (m,) of a dtype that holds them all."""
+    array = np.asarray([], dtype) if _is_empty_list(value) else _array(name, value, "iu")
+    if array.ndim != 1:
+        raise ValueError(f"{name}: expected shape (m,), got {array.shape}")
+    limits = np.iinfo(dtype)
+    for extreme in (array.min(), array.max()) if array.size else ():
+        if not limits.min <= int(extreme) <= limits.max:
+            raise ValueError(f"{name}: {extreme} does not fit {limits.bits} bits with a sign")
+    return np.ascontiguousarray(array, dtype=dtype)
 
 
-def count(name: str, value: SupportsIndex, limit: int = 2**64) -> int:
-    """Return an integer from 0 to limit - 1."""
+def real(name: str, value: float, least: float, most: float) -> float:
+    """Return a number from least to most."""
+    if isinstance(value, bool) or not isinstance(value, (SupportsFloat, SupportsIndex)):
+        raise TypeError(f"{name}: expected a number, got {type(value).__name__}")
+    number = float(value)
+    if not least <= number <= most:
+        raise ValueError(f"{name}: expected a number from {least:g} to {most:g}, got {value}")
+    return number
+
+
+def count(name: str, value: SupportsIndex, limit: int = 2**64, least: int = 0) -> int:
+    """Return an integer from least to limit - 1."""
     try:
         number = operator.index(value)
     except TypeError:
         raise TypeError(f"{name}: expected an integer, got {type(value).__name__}") from None
-    if not 0 <= number < limit:
-        raise ValueError(f"{name}: expected an integer from 0 to {limit - 1}, got {number}")
+    if not least <= number < limit:
+        raise ValueError(f"{name}: expected an integer from {least} to {limit - 1}, got {number}")
     return number
 
 

@@ -10,7 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from triquad import _native
-from triquad._arrays import count, index_array, name_of, vertices_array
+from triquad._arrays import (
+    count,
+    index_array,
+    integer_array,
+    name_of,
+    real,
+    vertices_array,
+)
 
 
 @dataclass(frozen=True)
@@ -54,6 +61,17 @@ class Report:
     augmenting_path_length_max: int
     augmentation_triangles_visited: int
     lrs_variant: str | None = None
+    boundary_loops: int | None = None
+    """Boundary loops, if the surface was open or one-sided."""
+    non_orientable_genus: int | None = None
+    """Cross-caps of one-sided components, if there are any."""
+    leftover_triangles: int | None = None
+    """Triangles left over, if some might have been."""
+    proved_fewest: bool | None = None
+    kept_edges: int | None = None
+    """Edges to keep, if any were asked for."""
+    given_up_edges: int | None = None
+    """Those of them that were given up, as few as can be."""
     total_cost: int | None = None
     """The least total cost, of ``best``."""
     proved_least: bool | None = None
@@ -70,7 +88,11 @@ class Report:
     leftover: NDArray[np.uint32] = field(
         default_factory=lambda: np.empty((0, 3), np.uint32), repr=False, compare=False
     )
-    """Triangles that are in no quad, ``(k, 3)``; none on a closed surface."""
+    """Triangles that are in no quad, ``(k, 3)``; none on a closed surface unless asked for."""
+    given_up: NDArray[np.uint32] = field(
+        default_factory=lambda: np.empty((0, 2), np.uint32), repr=False, compare=False
+    )
+    """Edges to keep that lie inside a quad, ``(k, 2)``."""
     triangulation: NDArray[np.uint32] | None = field(default=None, repr=False, compare=False)
     """The triangles that were paired, ``(m, 3)``, if ``lrs`` flipped edges."""
     summary: str = field(default="", repr=False, compare=False)
@@ -80,7 +102,7 @@ class Report:
 
     def to_dict(self) -> dict[str, Any]:
         """Return what the command writes as JSON: all fields but arrays and those that are None."""
-        left_out = ("leftover", "triangulation", "summary")
+        left_out = ("leftover", "given_up", "triangulation", "summary")
         named = [(f.name, getattr(self, f.name)) for f in fields(self) if f.name not in left_out]
         return {name: value for name, value in named if value is not None}
 
@@ -95,13 +117,13 @@ def convert(
     strict: bool = False,
     open: bool = False,
     quad_dominant: float | None = None,
-    cost: str = "default",
+    cost: str | ArrayLike = "default",
     augmentation: str = "local",
     orient: bool = False,
     seed: int = 0,
     threads: int | None = None,
 ) -> tuple[NDArray[np.uint32], Report]:
-    """Convert a triangulation of closed surfaces to quads on the same vertices.
+    """Convert a triangulation to quads on the same vertices.
 
     Every quad is the union of two triangles. The result is checked before it is returned, and
     equals that of ``triquad convert`` with the same options.
@@ -115,28 +137,45 @@ def convert(
     algorithm : str
         ``best`` (the least total cost, proved), ``tq`` (fastest), ``sg``, ``ps``, ``ds``, ``gw``,
         ``lrs`` or ``lrs few-flips`` (flips edges).
-    keep_sharp, keep_edges, strict, open, quad_dominant, threads
-        Not available in this version; must have their defaults.
-    cost : str
-        The cost of a quad that ``best`` minimises the sum of: ``default`` or ``shape``.
+    keep_sharp : float, degrees, optional
+        Lay no quad across an edge at which the surface bends by more. As few edges as can be are
+        given up so that all triangles are paired. ``best`` only.
+    keep_edges : array_like, shape (k, 2), any integer dtype, optional
+        Edges that no quad shall lie across either. ``best`` only.
+    strict : bool
+        Give up none of the edges to keep; the fewest triangles are left over instead.
+    open : bool
+        Allow surfaces with boundary and one-sided ones. The fewest triangles are left over.
+        ``best``, ``tq``, ``ps`` and ``sg`` only.
+    quad_dominant : float, optional
+        Leave triangles wherever a pair would cost more than twice this price; 1 is the price of a
+        flat quad with a corner of 180 degrees, and the command's usual price is 0.35. ``best``
+        only.
+    cost : str or array_like, shape (e,), any integer dtype
+        The cost of a quad that ``best`` minimises the sum of: ``default``, ``shape``, or one
+        integer of 32 bits for each edge, in the order in which the triangles first pass them.
     augmentation : str
         ``local`` or ``tarjan``: completes the pairing of other algorithms.
     orient : bool
         Flip triangles first where neighbours disagree on orientation.
     seed : int, from 0 to 2**64 - 1
         Seed of the random choices of ``sg`` and ``ps``.
+    threads : int, optional
+        Number of threads, by default one for each core. The result does not depend on it.
 
     Returns
     -------
     quads : ndarray, shape (m/2, 4), uint32
-        Corners of the quads, indices of rows of ``vertices``.
+        Corners of the quads, indices of rows of ``vertices``. Triangles left over, if any, are
+        ``report.leftover``.
     report : Report
         Counts, quality and times.
 
     Raises
     ------
     MeshError
-        The triangles are no triangulation of closed surfaces, or a coordinate is not finite.
+        The triangles are no triangulation of closed surfaces (or open ones, with ``open``), or a
+        coordinate is not finite.
     TypeError, ValueError
         An argument has the wrong type, shape or value.
 
@@ -149,22 +188,23 @@ def convert(
     >>> quads.shape, report.proved_least
     ((2, 4), True)
     """
-    unavailable = {
-        "keep_sharp": keep_sharp is not None,
-        "keep_edges": keep_edges is not None,
-        "strict": strict,
-        "open": open,
-        "quad_dominant": quad_dominant is not None,
-        "threads": threads is not None,
-    }
-    for name in (name for name, given in unavailable.items() if given):
-        raise NotImplementedError(f"{name}: not available in this version of triquad")
-    quads, report, summary, triangulation = _native.convert(
-        vertices_array(vertices),
-        index_array("triangles", triangles, 3),
-        _options(algorithm, augmentation, cost, orient, seed),
+    if strict and keep_sharp is None and keep_edges is None:
+        raise ValueError("strict: there are no edges to keep; add keep_sharp or keep_edges")
+    options = _options(algorithm, augmentation, orient, seed, threads)
+    options["open"] = bool(open)
+    options["strict"] = bool(strict)
+    options["cost"] = cost if isinstance(cost, str) else integer_array("cost", cost, np.int32)
+    if keep_sharp is not None:
+        options["keep_sharp"] = real("keep_sharp", keep_sharp, 0, 180)
+    if keep_edges is not None:
+        options["keep_edges"] = index_array("keep_edges", keep_edges, 2)
+    if quad_dominant is not None:
+        options["quad_dominant"] = real("quad_dominant", quad_dominant, -1e300, 1e300)
+    converted = _native.convert(
+        vertices_array(vertices), index_array("triangles", triangles, 3), options
     )
-    return quads, Report(**json.loads(report), triangulation=triangulation, summary=summary)
+    quads = converted.pop("quads")
+    return quads, Report(**json.loads(converted.pop("report")), **converted)
 
 
 def pair(
@@ -174,6 +214,7 @@ def pair(
     augmentation: str = "local",
     orient: bool = False,
     seed: int = 0,
+    threads: int | None = None,
 ) -> tuple[NDArray[np.uint32], Report]:
     """Pair up the triangles of closed surfaces, without coordinates.
 
@@ -183,7 +224,7 @@ def pair(
         Corners of the triangles, from 0.
     algorithm : str
         ``tq`` (fastest), ``sg``, ``ps``, ``ds`` or ``gw``.
-    augmentation, orient, seed
+    augmentation, orient, seed, threads
         As for `convert`.
 
     Returns
@@ -213,18 +254,24 @@ def pair(
         raise ValueError(f"algorithm: {algorithm} {reason}; use convert")
     pairs, report, summary = _native.pair(
         index_array("triangles", triangles, 3),
-        _options(algorithm, augmentation, "default", orient, seed),
+        _options(algorithm, augmentation, orient, seed, threads),
     )
     return pairs, Report(**json.loads(report), summary=summary)
 
 
 def _options(
-    algorithm: str, augmentation: str, cost: str, orient: bool, seed: int
+    algorithm: str, augmentation: str, orient: bool, seed: int, threads: int | None
 ) -> dict[str, Any]:
     return {
         "algorithm": name_of("algorithm", algorithm),
         "augmentation": name_of("augmentation", augmentation),
-        "cost": name_of("cost", cost),
         "orient": bool(orient),
         "seed": count("seed", seed),
+        "threads": 0 if threads is None else count("threads", threads, 1025, least=1),
+        "cost": "default",
+        "keep_sharp": None,
+        "keep_edges": None,
+        "strict": False,
+        "open": False,
+        "quad_dominant": None,
     }

@@ -24,8 +24,10 @@ class CheckReport:
     """
 
     quads: int
+    triangles: int
+    """Triangles left over."""
     vertices: int
-    """Vertices that the quads use."""
+    """Vertices that the faces use."""
     degree_two_vertices: int
     """Vertices where two quads share two edges: legal and common."""
     euler_characteristic: int
@@ -74,6 +76,8 @@ class Survey:
     euler_characteristic: int
     genus: int | None
     """Genus, summed over the components; None if the mesh is no closed, two-sided surface."""
+    non_orientable_genus: int | None
+    """Cross-caps, if the mesh is one of surfaces of which some are one-sided."""
     components: int
     boundary_loops: int
     orientable: bool
@@ -89,12 +93,18 @@ class Survey:
         return asdict(self)
 
 
-def check(quads: ArrayLike, triangles: ArrayLike) -> CheckReport:
+def check(
+    quads: ArrayLike,
+    triangles: ArrayLike,
+    leftover: ArrayLike | None = None,
+    *,
+    open: bool = False,
+) -> CheckReport:
     """Check that quads are a quadrangulation of triangles on the same vertices.
 
     Every quad must be the union of two triangles across their common edge and every triangle in
-    one quad; the quads must be closed and oriented and have the Euler characteristic of the
-    triangles.
+    one quad or left over. Without triangles left over and without ``open``, the quads must also be
+    closed and oriented and have the Euler characteristic of the triangles.
 
     Parameters
     ----------
@@ -102,6 +112,10 @@ def check(quads: ArrayLike, triangles: ArrayLike) -> CheckReport:
         Corners of the quads, from 0.
     triangles : array_like, shape (m, 3), any integer dtype
         Corners of the triangles that were paired. Of ``lrs`` that is ``report.triangulation``.
+    leftover : array_like, shape (l, 3), any integer dtype, optional
+        Triangles left over: ``report.leftover``.
+    open : bool
+        Allow surfaces with boundary and one-sided ones.
 
     Returns
     -------
@@ -111,7 +125,8 @@ def check(quads: ArrayLike, triangles: ArrayLike) -> CheckReport:
     Raises
     ------
     MeshError
-        The quads fail; ``law`` and ``element`` name the first defect.
+        The quads fail; ``law`` and ``element`` name the first defect. Faces are counted through
+        the quads and on through the triangles left over.
     TypeError, ValueError
         An argument has the wrong type or shape.
 
@@ -122,7 +137,12 @@ def check(quads: ArrayLike, triangles: ArrayLike) -> CheckReport:
     >>> triquad.check([[0, 2, 1, 3], [1, 2, 0, 3]], triangles).quads
     2
     """
-    counts = _native.check(index_array("quads", quads, 4), index_array("triangles", triangles, 3))
+    counts = _native.check(
+        index_array("quads", quads, 4),
+        index_array("triangles", triangles, 3),
+        index_array("leftover", [] if leftover is None else leftover, 3),
+        bool(open),
+    )
     return CheckReport(**json.loads(counts))
 
 

@@ -97,18 +97,17 @@ def match(
     ([3, 2, 1, 0], 2)
     """
     ends = index_array("edges", edges, 2)
+    prices = integer_array("costs", costs, np.int64)
+    if len(prices) != len(ends):
+        raise ValueError(f"costs: expected shape ({len(ends)},), got {prices.shape}")
     mates, cost, potentials, innermost, parents, values = _native.solve(
         ends,
-        integer_array("costs", costs, len(ends)),
+        prices,
         None if nodes is None else count("nodes", nodes, 2**30),
-        None if price is None else _price(price),
+        None if price is None else count("price", price, 2**63, least=-(2**63)),
     )
     certificate = Certificate(_numbers(potentials), innermost, parents, _numbers(values))
     return Matching(mates, cost, certificate)
-
-
-def _price(price: int) -> int:
-    return count("price", price + 2**63) - 2**63
 
 
 def _numbers(values: NDArray[np.int64] | list[int]) -> NDArray[Any]:

@@ -1,6 +1,7 @@
 //! Tests of the program `triquad`, as a user calls it.
 
 mod aims;
+mod conveniences;
 mod defective_meshes;
 mod documents;
 mod experiments;

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use triquad::{ConvertError, Converter, Mesh, MeshError};
 use triquad_render::PictureError;
 
+pub use polygons::polygons;
 pub use quads::{POOR, QuadScene};
 pub use record::{PictureRecord, Subject, View};
 pub use shaft_box::box_picture;

@@ -4,7 +4,7 @@ use triquad::Mesh;
 use triquad_render::Polygons;
 
 /// Borrows the arrays of a mesh for drawing.
-pub(super) fn polygons(list: &Mesh) -> Polygons<'_> {
+pub fn polygons(list: &Mesh) -> Polygons<'_> {
     let corners = list.faces().corners();
     match (list.faces().arity(), list.faces().ends()) {
         (_, Some(ends)) => Polygons::mixed(list.positions(), corners, ends),

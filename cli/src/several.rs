@@ -1,0 +1,99 @@
+//! Several inputs of one verb: one after the other, each into a folder under its own name.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use triquad::mesh::Format;
+
+use crate::failure::Failure;
+use crate::{input, stdio};
+
+/// Options of a verb that takes several inputs.
+#[derive(clap::Args, Clone)]
+pub struct Several {
+    /// More meshes; each is converted by itself, and the others are when one is refused
+    #[arg(value_name = "IN", requires = "out_dir")]
+    more: Vec<PathBuf>,
+    /// Write each result into FOLDER, which is made if it is not there, under the name of its input
+    #[arg(long, value_name = "FOLDER")]
+    #[arg(conflicts_with_all = [
+        "output", "stats", "write_triangulation", "stop_after_paths", "certificate", "given_up",
+        "compare",
+    ])]
+    out_dir: Option<PathBuf>,
+    /// The format in FOLDER: obj, ply or off, also with .gz; by default that of each input, and obj
+    /// for stl
+    #[arg(long, value_name = "EXTENSION", requires = "out_dir")]
+    format: Option<String>,
+}
+
+impl Several {
+    /// Calls `work` with each input and its output, `first` being the first input; with `output`
+    /// where there is no folder.
+    ///
+    /// Prints every failure. The last failure counts them, with the greatest of their exit codes.
+    pub fn each(
+        &self,
+        first: &Path,
+        output: Option<&Path>,
+        work: impl Fn(&Path, Option<&Path>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let Some(folder) = &self.out_dir else { return work(first, output) };
+        let inputs: Vec<&Path> =
+            [first].into_iter().chain(self.more.iter().map(|p| &**p)).collect();
+        let outputs = self.outputs(folder, &inputs)?;
+        std::fs::create_dir_all(folder)
+            .map_err(|error| input::mesh_failure(folder, &error.into()))?;
+        let mut codes = Vec::new();
+        for (input, output) in inputs.iter().zip(&outputs) {
+            if let Err(failure) = work(input, Some(output)) {
+                stdio::fail(&failure);
+                codes.push(failure.code);
+            }
+        }
+        let Some(&code) = codes.iter().max() else { return Ok(()) };
+        let message = format!("{} of {} meshes were not converted", codes.len(), inputs.len());
+        Err(Failure { code, ..Failure::bad(message) })
+    }
+
+    /// Names the outputs. Refuses two of the same name.
+    fn outputs(&self, folder: &Path, inputs: &[&Path]) -> Result<Vec<PathBuf>, Failure> {
+        let mut taken = BTreeMap::new();
+        let mut outputs = Vec::new();
+        for &path in inputs {
+            let output = folder.join(self.name(path)?);
+            if let Some(other) = taken.insert(output.clone(), path) {
+                let (one, other, output) = (other.display(), path.display(), output.display());
+                let problem = "would have the same result";
+                return Err(Failure::bad(format!(
+                    "{one} and {other} {problem}, {output}; convert one of them by itself with -o"
+                )));
+            }
+            outputs.push(output);
+        }
+        Ok(outputs)
+    }
+
+    /// Returns the name of a result: that of the input with the extension of the format.
+    fn name(&self, path: &Path) -> Result<String, Failure> {
+        let failure = |error| input::mesh_failure(path, &error);
+        let format = Format::from_path(path).map_err(failure)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if name == "-" {
+            let problem = "standard input has no name for a result in a folder";
+            return Err(Failure::bad(format!("-: {problem}; convert it by itself with -o")));
+        }
+        let cut = |name: &str, tail: &str| {
+            let length = name.len().checked_sub(tail.len());
+            let is_tail =
+                |&at: &usize| name.get(at..).is_some_and(|end| end.eq_ignore_ascii_case(tail));
+            length.filter(is_tail).map_or(name.to_owned(), |at| name[..at].to_owned())
+        };
+        let stem = cut(&cut(&name, ".gz"), &format!(".{format}"));
+        match &self.format {
+            Some(wanted) => Ok(format!("{stem}.{}", wanted.trim_start_matches('.'))),
+            None if format == Format::Stl => Ok(format!("{stem}.obj")),
+            None => Ok(name),
+        }
+    }
+}
