@@ -12,9 +12,9 @@ use crate::failure::Failure;
 #[derive(clap::Args, Clone)]
 #[command(next_help_heading = "What best aims at")]
 pub struct AimOptions {
-    /// Cost of a quad, of which best minimises the sum: default (shape, folds and sharp edges), shape
-    /// (10000 times 1 less the scaled Jacobian, rounded), or FILE: one integer an edge, in the order
-    /// in which the faces first pass the edges
+    /// Cost of a quad, of which best minimises the sum: default (shape, folds and sharp edges),
+    /// shape (10000 times 1 less the scaled Jacobian, rounded), or FILE: one integer an edge, in
+    /// the order in which the faces first pass the edges
     #[arg(long, default_value = "default", value_name = "default|shape|FILE")]
     cost: String,
     /// Keep edges at which the surface bends by more than DEG degrees: no quad lies across them. If

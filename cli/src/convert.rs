@@ -21,9 +21,9 @@ use crate::{certificate, comparison, machine, stdio};
 /// Convert a triangle mesh into quads on the same vertices
 ///
 /// Every quad is the union of two triangles of the input (of another triangulation for lrs, which
-/// flips edges). No vertex is added, removed or moved. On a closed surface no triangle is left over.
-/// The result is checked before it is written. Texture coordinates, normals, groups and materials of
-/// an OBJ file are carried over to OBJ output.
+/// flips edges). No vertex is added, removed or moved. On a closed surface no triangle is left
+/// over. The result is checked before it is written. Texture coordinates, normals, groups and
+/// materials of an OBJ file are carried over to OBJ output.
 #[derive(clap::Args, Clone)]
 #[command(after_help = "Examples:\n  triquad convert bunny.ply.gz -o quads.obj\n  \
                         triquad convert scan.obj --algorithm ps --seed 7 --stats -\n  \

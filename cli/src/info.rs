@@ -13,7 +13,8 @@ use crate::{input, stdio};
 
 /// Print counts, genus and components of a mesh, and every law that it breaks
 ///
-/// Exit code 2 if the mesh is not a triangulation of closed surfaces; all counts are printed anyway.
+/// Exit code 2 if the mesh is not a triangulation of closed surfaces; all counts are printed
+/// anyway.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad info bunny.obj\n  triquad info scan.stl --json")]
 pub struct Arguments {

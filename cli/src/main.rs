@@ -56,8 +56,8 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 /// All-quadrilateral meshes from triangle meshes of closed surfaces.
 ///
 /// Pairs up edge-adjacent triangles, none left over, and removes the edge between the two of each
-/// pair. Every vertex and every other edge stays, and every face is a quad. On a closed surface this
-/// is always possible (Petersen's theorem).
+/// pair. Every vertex and every other edge stays, and every face is a quad. On a closed surface
+/// this is always possible (Petersen's theorem).
 #[derive(Parser)]
 #[command(version, after_help = format!(
     "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is OBJ on standard input or \

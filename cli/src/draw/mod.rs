@@ -36,8 +36,8 @@ pub struct Arguments {
     /// Draw this mesh too, on the left and from the same side: the triangles that quads come from
     #[arg(long, value_name = "TRIANGLES")]
     against: Option<PathBuf>,
-    /// Meaning of colours: quality (of quads: light blue is square, yellow is askew, orange is nearly
-    /// folded, red is folded) or none
+    /// Meaning of colours: quality (of quads: light blue is square, yellow is askew, orange is
+    /// nearly folded, red is folded) or none
     #[arg(long, visible_alias = "color", default_value = "quality", value_name = "NAME")]
     colour: Colour,
     /// Edges: on or off; by default on in files and off in the terminal
