@@ -28,12 +28,17 @@ pub struct Facts {
 impl Failure {
     /// Makes the failure of a check.
     pub fn no(message: String) -> Self {
-        Self { code: 1, message, facts: None }
+        Self::with_code(1, message)
     }
 
     /// Makes the failure of bad input or usage.
     pub fn bad(message: String) -> Self {
-        Self { code: 2, message, facts: None }
+        Self::with_code(2, message)
+    }
+
+    /// Makes a failure that ends the process with this exit code.
+    pub fn with_code(code: u8, message: String) -> Self {
+        Self { code, message, facts: None }
     }
 
     /// Adds the parts of the message.

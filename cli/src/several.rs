@@ -53,7 +53,7 @@ impl Several {
         }
         let Some(&code) = codes.iter().max() else { return Ok(()) };
         let message = format!("{} of {} meshes were not converted", codes.len(), inputs.len());
-        Err(Failure { code, ..Failure::bad(message) })
+        Err(Failure::with_code(code, message))
     }
 
     /// Names the outputs. Refuses two of the same name.
