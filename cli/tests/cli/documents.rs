@@ -196,7 +196,10 @@ fn the_page_of_the_command_has_every_verb_and_every_option_and_no_others() {
     }
     let on_page = long_options(&page);
     let missing: Vec<_> = options.difference(&on_page).collect();
-    assert!(missing.iter().all(|&option| option == "--help" || option == "--version"), "{missing:?}");
+    assert!(
+        missing.iter().all(|&option| option == "--help" || option == "--version"),
+        "{missing:?}"
+    );
     let invented: Vec<_> = on_page.difference(&options).collect();
     assert!(invented.is_empty(), "{invented:?}");
 }

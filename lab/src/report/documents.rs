@@ -79,11 +79,7 @@ const TABLES: &[DocumentTable] = &[
         ]),
         columns: COUNTS_AND_TIMES,
     },
-    DocumentTable {
-        name: "4.3",
-        rows: Rows::Of(&["table_4_3.csv"]),
-        columns: COUNTS_AND_TIMES,
-    },
+    DocumentTable { name: "4.3", rows: Rows::Of(&["table_4_3.csv"]), columns: COUNTS_AND_TIMES },
     DocumentTable {
         name: "4.4",
         rows: Rows::Of(&["table_4_4_i.csv", "table_4_4_ii.csv"]),
@@ -252,7 +248,8 @@ fn field(tables: &[ReportTable], mesh: &str, algorithm: &str, column: &str) -> S
     };
     let found = tables.iter().find_map(|table| {
         let at = table.columns.iter().position(|column| column.name == name)?;
-        let row = table.rows.iter().find(|row| key(table, row) == (mesh.into(), algorithm.into()))?;
+        let row =
+            table.rows.iter().find(|row| key(table, row) == (mesh.into(), algorithm.into()))?;
         let cell = &row.cells[at];
         let text = if is_printed { cell.paper.display() } else { cell.ours.display() };
         (!text.is_empty()).then_some(text)
@@ -281,7 +278,9 @@ mod tests {
             fill(&document, &Results::default()).unwrap()
         };
         let once = filled("");
-        assert!(once.starts_with("a\n<!-- table: verdicts -->\n\n| verdict | claims |\n|---|---|\n"));
+        assert!(
+            once.starts_with("a\n<!-- table: verdicts -->\n\n| verdict | claims |\n|---|---|\n")
+        );
         assert!(once.ends_with("\n\n<!-- end -->\nb"));
         assert_eq!(filled("| old | table |\n"), once);
         assert_eq!(fill(&once, &Results::default()).unwrap(), once);
