@@ -203,3 +203,22 @@ fn the_page_of_the_command_has_every_verb_and_every_option_and_no_others() {
     let invented: Vec<_> = on_page.difference(&options).collect();
     assert!(invented.is_empty(), "{invented:?}");
 }
+
+/// Returns the targets of the links and pictures of a document that are files.
+fn linked_files(document: &str) -> impl Iterator<Item = &str> {
+    let targets = document.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next());
+    targets.filter(|target| !target.is_empty() && !target.contains("://"))
+}
+
+#[test]
+fn every_link_to_a_file_leads_to_one() {
+    let others = ["CONTRIBUTING.md", "CHANGELOG.md", "experiments/README.md", "results/README.md"];
+    for path in documents().into_iter().chain(others.map(|name| root().join(name))) {
+        let document = std::fs::read_to_string(&path).unwrap();
+        for target in linked_files(&document) {
+            let file = path.parent().unwrap().join(target);
+            assert!(file.exists(), "{}: {target}", path.display());
+        }
+    }
+    assert_eq!(linked_files("[a](b.md#c) ![d](e/f.svg) [g](#h) [i](https://j.k)").count(), 2);
+}
