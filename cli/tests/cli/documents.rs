@@ -3,7 +3,7 @@
 //!
 //! | fence | meaning here |
 //! |---|---|
-//! | `sh` | run by bash in an empty folder with `triquad`, `examples` and `experiments` at hand |
+//! | `sh` | run by bash in an empty folder with `triquad` and folders of a clone at hand |
 //! | `text output` | printed by the block before it; `…` stands for anything, blanks do not matter |
 //! | `csv NAME`, `toml NAME` | a file of that name, there for later blocks |
 //!
@@ -110,7 +110,7 @@ fn shows(expected: &str, printed: &str) -> bool {
 #[cfg(unix)]
 fn clone() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["examples", "experiments"] {
+    for name in ["docs", "examples", "experiments"] {
         std::os::unix::fs::symlink(root().join(name), folder.path().join(name)).unwrap();
     }
     folder
