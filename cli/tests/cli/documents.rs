@@ -107,7 +107,6 @@ fn shows(expected: &str, printed: &str) -> bool {
 }
 
 /// An empty folder with links to what a clone has.
-#[cfg(unix)]
 fn clone() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     for name in ["docs", "examples", "experiments"] {
@@ -116,7 +115,6 @@ fn clone() -> tempfile::TempDir {
     folder
 }
 
-#[cfg(unix)]
 #[test]
 fn every_command_in_the_documents_works() {
     let mut commands = 0;
@@ -130,7 +128,6 @@ fn every_command_in_the_documents_works() {
     assert!(commands > 10, "only {commands} blocks");
 }
 
-#[cfg(unix)]
 #[test]
 fn a_wrong_command_or_a_wrong_output_in_a_document_is_found() {
     let convert = "triquad convert examples/meshes/plate.obj.gz -o quads.obj";

@@ -3,6 +3,7 @@
 mod aims;
 mod conveniences;
 mod defective_meshes;
+#[cfg(unix)]
 mod documents;
 mod experiments;
 mod open;
