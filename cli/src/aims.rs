@@ -31,7 +31,8 @@ pub struct AimOptions {
     #[arg(long)]
     strict: bool,
     /// Leave a triangle wherever every pair would cost more than twice PRICE (0.35 if no PRICE is
-    /// given). The unit is that of the formula in docs/quality.md, or of --cost FILE
+    /// given). PRICE 1 stands for a loss of 1 in scaled Jacobian, from a rectangle to a corner of
+    /// 180 degrees. With --cost FILE the unit is that of FILE
     #[arg(long, value_name = "PRICE", num_args = 0..=1, default_missing_value = "0.35")]
     #[arg(value_parser = price, allow_negative_numbers = true)]
     quad_dominant: Option<f64>,

@@ -107,6 +107,7 @@ impl Arguments {
     /// Returns a converter with all options but the algorithm and the aims of best.
     fn converter<'a>(&self, progress: &'a mut StatusLine) -> Converter<'a> {
         Converter::new()
+            .lrs_order(self.lrs_order)
             .augmentation(self.augmentation)
             .seed(self.seed)
             .orient(self.repairs.orient)
@@ -175,7 +176,6 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     let converted = arguments
         .converter(&mut status)
         .algorithm(arguments.algorithm())
-        .lrs_order(arguments.lrs_order)
         .aims(aims.aims.clone())
         .keep_proof(arguments.certificate.is_some())
         .run(mesh);

@@ -64,8 +64,8 @@ pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangula
 /// A surface with its mesh.
 pub enum Built {
     Closed(Triangulation),
-    /// With boundary, or one-sided.
-    Open(OpenTriangulation),
+    /// With boundary or one-sided, and what makes it so.
+    Open(OpenTriangulation, Box<Survey>),
 }
 
 /// Reads a mesh that must be a triangulation of surfaces, closed or not, after its repairs.
@@ -85,12 +85,12 @@ pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Fail
         survey.orient(&mut mesh);
     }
     let open = OpenTriangulation::build(&mesh).map_err(|survey| refusal(path, &survey, None))?;
-    Ok((mesh, Built::Open(open)))
+    Ok((mesh, Built::Open(open, survey)))
 }
 
 /// Makes the failure of a file that could not be read or written.
 pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
-    let remedy = error.remedy();
+    let remedy = error.remedy().to_owned();
     let failure = Failure::bad(format!("{}: {error}; {remedy}", path.display()));
     let file = path.display().to_string();
     failure.with(Facts { file, law: None, element: None, count: None, remedy })
@@ -110,10 +110,11 @@ pub fn refusal(path: &Path, survey: &Survey, other_remedy: Option<&str>) -> Fail
         (Ok(Format::Obj), _) | (_, Element::Mesh) => "",
         _ => ", counted from 1",
     };
-    let (name, remedy) = (first.law.name(), first.law.remedy());
-    let other_remedy = other_remedy.map(|remedy| format!("; {remedy}")).unwrap_or_default();
+    let name = first.law.name();
+    let remedies = [Some(first.law.remedy()), other_remedy];
+    let remedy = remedies.into_iter().flatten().collect::<Vec<_>>().join("; ");
     let file = path.display().to_string();
-    let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}{other_remedy}");
+    let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}");
     let element = Some(first.element.to_string());
     let facts = Facts { file, law: Some(name), element, count: Some(first.count), remedy };
     Failure::bad(message).with(facts)

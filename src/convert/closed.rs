@@ -57,6 +57,9 @@ impl Converter<'_> {
         let report = Report {
             quads,
             degree_two_vertices,
+            // The same fields whether the surface turns out to be closed or not.
+            leftover_triangles: self.open.then_some(0),
+            is_proved_fewest: self.open,
             quality,
             sharp_edges,
             check_seconds: paired.report.check_seconds + check_seconds,
@@ -124,7 +127,7 @@ impl Converter<'_> {
         let system = SystemClock::default();
         let ((initial, shuffle_seconds), seconds) = self.time(|settings| {
             let clock = settings.clock.unwrap_or(&system);
-            let (algorithm, lrs_order) = (settings.algorithm, settings.lrs_order);
+            let Self { algorithm, lrs_order, .. } = *settings;
             algorithm.pair_by_clock(triangulation, lrs_order, &mut random, clock)
         });
         report.shuffle_seconds = shuffle_seconds;

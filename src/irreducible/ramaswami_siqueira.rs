@@ -50,6 +50,8 @@ pub(super) trait ContractionObserver: Sized {
     fn tested(&self, _run: &RamaswamiSiqueira<Self>, _v: VertexId) {}
     /// The edge of `h` is about to be contracted.
     fn contracting(&self, _run: &RamaswamiSiqueira<Self>, _h: HalfEdgeId) {}
+    /// u is about to gain a processed vertex as a neighbour, through spoke `g`.
+    fn gaining(&self, _run: &RamaswamiSiqueira<Self>, _g: HalfEdgeId) {}
     /// An edge has been dealt with: contracted, put aside or left alone.
     fn settled(&self, _run: &RamaswamiSiqueira<Self>) {}
     /// Vertex u has been processed.
@@ -113,7 +115,7 @@ pub(super) struct RamaswamiSiqueira<O> {
     /// Of the edge [u, v] at hand, the spokes of v but those to u and the apexes.
     far_spokes: Vec<FarSpoke>,
     /// Edges put aside that wait for a processed vertex to become a neighbour of u.
-    waiting: WaitingEdges,
+    pub(super) waiting: WaitingEdges,
     splits: Vec<VertexSplit>,
     counts: Counts,
     pub(super) observer: O,
@@ -319,6 +321,9 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         }
         for &FarSpoke { spoke: g, end: z, across } in &self.far_spokes {
             self.prefetch_beyond(across);
+            if self.lists[z].processed {
+                self.observer.gaining(self, g);
+            }
             let neighbour = &mut self.lists[z];
             let first_waiting = neighbour.first_waiting(self.round);
             neighbour.meet(self.round, g, self.now);
@@ -358,7 +363,7 @@ impl Neighbour {
     /// Returns the first edge that waits for this vertex in this `round`, or
     /// [`WaitingEdges::NONE`].
     #[inline]
-    fn first_waiting(&self, round: u32) -> u32 {
+    pub(super) fn first_waiting(&self, round: u32) -> u32 {
         if self.round == round + 1 { self.critical_cycles } else { WaitingEdges::NONE }
     }
 

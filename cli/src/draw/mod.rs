@@ -53,7 +53,7 @@ pub struct Arguments {
     #[arg(long, default_value = "y", value_name = "AXIS")]
     up: Up,
     /// Enlarge; at 1 the whole mesh is seen
-    #[arg(long, default_value_t = 1.0, value_name = "X")]
+    #[arg(long, default_value_t = 1.0, value_name = "X", allow_negative_numbers = true)]
     zoom: f64,
     /// Cut away what lies beyond a plane: a point of it, and the direction to be cut away
     #[arg(long, num_args = 6, value_names = ["X", "Y", "Z", "DX", "DY", "DZ"])]

@@ -201,7 +201,7 @@ mod tests {
     }
 
     fn converted() -> Vec<Vec<u32>> {
-        let quads = Converter::new().run(&input()).unwrap().into_mesh();
+        let quads = Converter::new().run(input()).unwrap().into_mesh();
         quads.faces().into_iter().map(<[u32]>::to_vec).collect()
     }
 

@@ -145,7 +145,8 @@ pub(super) fn cause(claim: &Claim, ours: &Evidence, test: Option<&Finding>) -> (
     } else {
         broken.iter().collect()
     };
-    if named.iter().all(|mesh| ours.stand_ins.contains(mesh)) {
+    // Times have other reasons too.
+    if !claim.is_about_times() && named.iter().all(|mesh| ours.stand_ins.contains(mesh)) {
         return (Cause::StandIn, "all meshes that break it are stand-ins".into());
     }
     (Cause::Unknown, String::new())
