@@ -12,7 +12,7 @@ use crate::machine;
 use crate::names::one_of;
 use crate::reduction::{Opened, Options, Sizes};
 
-/// Contract edges of a closed triangle mesh until every further contraction changes the surface
+/// Contract edges of a closed triangle mesh until the triangulation is irreducible
 ///
 /// A component of genus 0 ends as a tetrahedron, one of genus g > 0 with at most 26 g - 4 vertices.
 /// These keep their positions and their order; nothing else of the input is kept.
