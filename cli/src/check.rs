@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use triquad::pairing::Proof;
 use triquad::quadrangulation::check_mixed;
 use triquad::triangulation::Surface;
-use triquad::{CheckReport, DualGraph, Matching, Mesh, Mismatch, check, check_retriangulation};
+use triquad::{
+    CheckReport, DualGraph, Matching, Mesh, Mismatch, check, check_retriangulation, common_edges,
+};
 
 use crate::failure::Failure;
 use crate::input::{self, Built, Repairs};
@@ -49,15 +51,28 @@ pub struct Arguments {
 
 /// Reads both meshes and compares them.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let inputs =
+        [Some(&arguments.quads), Some(&arguments.against), arguments.triangulation.as_ref()];
+    if inputs.into_iter().flatten().filter(|path| path.as_os_str() == "-").count() > 1 {
+        let problem = "standard input can be one of the meshes only; give the others as files";
+        return Err(Failure::bad(format!("-: {problem}")));
+    }
     let status = StatusLine::new("reading the meshes");
-    let quads = input::read(&arguments.quads)?;
+    let quads = input::read(&arguments.quads, arguments.repairs.reading)?;
     let (triangles, surface) = input::read_surface(&arguments.against, arguments.repairs)?;
     let statement = match &arguments.certificate {
         Some(path) => Some(Statement::read(path, arguments.cost.as_deref())?),
         None => None,
     };
+    let mut shared = String::new();
     let paired = match &arguments.triangulation {
-        Some(path) => read_paired(path, arguments, &triangles, &surface)?,
+        Some(path) => {
+            let paired = read_paired(path, arguments, &triangles, &surface)?;
+            let (common, all) = common_edges(&paired, &triangles);
+            let against = arguments.against.display();
+            shared = format!("; {common} of the {all} edges of the triangulation are in {against}");
+            paired
+        }
         None => triangles,
     };
     status.say("checking");
@@ -73,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         _ => String::new(),
     };
     drop(status);
-    stdio::summarise(&(describe(arguments, &report) + &proof))
+    stdio::summarise(&stdio::one_line(&(describe(arguments, &report) + &shared + &proof)))
 }
 
 /// Reads the triangulation whose triangles were paired; that of a closed surface.
@@ -84,7 +99,7 @@ fn read_paired(
     surface: &Built,
 ) -> Result<Mesh, Failure> {
     if let Built::Open(_, survey) = surface {
-        return Err(input::refusal(&arguments.against, survey, None));
+        return Err(input::refusal(&arguments.against, survey, None, None));
     }
     let paired = input::read_triangulation(path, arguments.repairs)?;
     check_retriangulation(&paired, given)
@@ -118,7 +133,7 @@ fn failure(arguments: &Arguments, surface: &Built, quads: &Mesh, mismatch: &Mism
             if !arguments.open =>
         {
             let remedy = Some("--open allows it");
-            return input::refusal(&arguments.against, survey, remedy);
+            return input::refusal(&arguments.against, survey, remedy, None);
         }
         (Mismatch::NotAQuad(face), _) if is_triangle(*face) => {
             "; --open allows triangles that are left over"

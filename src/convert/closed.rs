@@ -48,6 +48,7 @@ impl Converter<'_> {
         let check = check?;
         let attributes =
             quadrangulation.carry_attributes(&paired.triangulation, triangulation, &mesh);
+        let losses = quadrangulation.attribute_losses(&paired.triangulation, triangulation, &mesh);
         let mut mesh = mesh.into_owned();
         let given = mesh.replace_faces(quads);
         let triangles = flipped.unwrap_or(given);
@@ -66,7 +67,7 @@ impl Converter<'_> {
             ..paired.report
         };
         let Paired { proof, given_up, .. } = paired;
-        Ok(Converted { mesh, triangles, report, proof, given_up })
+        Ok(Converted { mesh, triangles, report, losses, proof, given_up })
     }
 
     /// Converts a triangulation without coordinates. The result is not checked.

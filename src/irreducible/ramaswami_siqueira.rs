@@ -20,6 +20,7 @@
 
 use super::contracted::{Contracted, Counts};
 use super::edge_lists::{Discipline, EdgeLists, List};
+use super::far_spoke::FarSpoke;
 use super::waiting_edges::WaitingEdges;
 use crate::triangulation::{
     Contraction, HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit,
@@ -83,24 +84,6 @@ pub(super) struct Neighbour {
     pub(super) processed: bool,
 }
 
-/// A spoke that moves from v to u if [u, v] is contracted.
-#[derive(Clone, Copy)]
-struct FarSpoke {
-    spoke: HalfEdgeId,
-    /// The other end, which u gains as a neighbour.
-    end: VertexId,
-    /// The other side of the edge that faces v and will face u.
-    across: HalfEdgeId,
-}
-
-impl FarSpoke {
-    #[inline]
-    fn new(k: &ShrinkingTriangulation, spoke: HalfEdgeId) -> Self {
-        let facing = spoke.next();
-        Self { spoke, end: k.origin(facing), across: k.twin(facing) }
-    }
-}
-
 /// The state of the algorithm.
 pub(super) struct RamaswamiSiqueira<O> {
     pub(super) k: ShrinkingTriangulation,
@@ -157,7 +140,7 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         loop {
             while let Some(v) = self.lists.pop_front(List::Untested) {
                 let neighbour = &mut self.lists[v];
-                // It never happens: no vertex is u twice, and none comes back into the list.
+                // Never true: no vertex is u twice, and none comes back into the list.
                 let again = neighbour.processed || neighbour.tested_at != NEVER;
                 self.counts.edges_tested_more_than_once += usize::from(again);
                 neighbour.tested_at = self.now;
