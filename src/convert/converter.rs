@@ -254,13 +254,8 @@ impl<'a> Converter<'a> {
 
     /// Makes the report of a conversion that begins.
     pub(super) fn report(&self, size: Size) -> Report {
-<<<<<<< HEAD
         let lrs_order = self.lrs_order;
         Report { lrs_order, ..Report::new(self.algorithm, self.augmentation, self.seed, size) }
-=======
-        let report = Report::new(self.algorithm, self.augmentation, self.seed, size);
-        Report { lrs_order: self.lrs_order, ..report }
->>>>>>> 2de3b6bbd1dc00f9aca710de4d14acf191ddcf98
     }
 
     pub(super) fn enter(&mut self, stage: Stage) {
