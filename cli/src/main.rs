@@ -76,7 +76,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Verb {
-    Convert(convert::Arguments),
+    Convert(Box<convert::Arguments>),
     Irreducible(irreducible::Arguments),
     Check(check::Arguments),
     Info(info::Arguments),
