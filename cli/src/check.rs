@@ -16,10 +16,10 @@ use crate::{aims, certificate, stdio};
 
 /// Check that a quad mesh is a quadrangulation of a triangle mesh
 ///
-/// From the two files alone: the same vertices, every quad the union of two triangles across their
-/// common edge, every triangle in exactly one quad, closed, oriented, one fan round every vertex,
-/// the same Euler characteristic. Of surfaces with boundary and one-sided ones triangles may be left
-/// over, each a face of its own. Exit code 1 and one line if not.
+/// Checks from the two files alone: same vertices, every quad the union of two triangles across
+/// their common edge, every triangle in exactly one quad, closed, oriented, one fan round every
+/// vertex, same Euler characteristic. On surfaces with boundary and one-sided ones triangles may be
+/// left over, each a face of its own. Exit code 1 and one line if a check fails.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad check quads.obj --against bunny.obj\n  \
                         triquad check quads.obj --against bunny.obj --certificate proof.txt")]
@@ -30,16 +30,16 @@ pub struct Arguments {
     /// The triangle mesh that it was made from
     #[arg(long, value_name = "TRIANGLES")]
     against: PathBuf,
-    /// The triangulation whose triangles were paired, as convert --write-triangulation writes it,
-    /// if it is not TRIANGLES: the quads are checked against it, and it must triangulate the
-    /// surface of TRIANGLES on the same vertices
+    /// The triangulation whose triangles were paired, if it is not TRIANGLES, from convert
+    /// --write-triangulation. The quads are checked against it; it must triangulate the surface of
+    /// TRIANGLES on the same vertices
     #[arg(long, value_name = "K", conflicts_with_all = ["open", "certificate"])]
     triangulation: Option<PathBuf>,
     /// Allow triangles that are left over, on closed surfaces, too
     #[arg(long)]
     open: bool,
-    /// Check a proof that convert --certificate has written: that no other pairing is better by
-    /// what the file states. Costs, edges to keep and the bound are computed anew
+    /// Verify the proof of convert --certificate that no other pairing is better under the aims in
+    /// the file. Costs, edges to keep and the bound are computed anew
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// The costs, one integer an edge, if the certificate is about a file of costs

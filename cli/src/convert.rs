@@ -21,9 +21,9 @@ use crate::{certificate, comparison, machine, stdio};
 /// Convert a triangle mesh into quads on the same vertices
 ///
 /// Every quad is the union of two triangles of the input (of another triangulation for lrs, which
-/// flips edges); no vertex is added, removed or moved, and the result is checked before it is
-/// written. On a closed surface no triangle is left over. Texture coordinates, normals, groups and materials of an OBJ file are carried over to
-/// OBJ output.
+/// flips edges). No vertex is added, removed or moved. On a closed surface no triangle is left
+/// over. The result is checked before it is written. Texture coordinates, normals, groups and
+/// materials of an OBJ file are carried over to OBJ output.
 #[derive(clap::Args, Clone)]
 #[command(after_help = "Examples:\n  triquad convert bunny.ply.gz -o quads.obj\n  \
                         triquad convert scan.obj --algorithm ps --seed 7 --stats -\n  \
@@ -36,25 +36,24 @@ pub struct Arguments {
     input: PathBuf,
     #[arg(short, long, value_name = "OUT", help = may_write("Where the quads go"))]
     output: Option<PathBuf>,
-    /// How triangles are paired: best (the best-shaped quads, provably), tq (fastest, without
-    /// regard to shape); of the papers, sg (simple greedy), ps (Pulli-Segal greedy), ds
-    /// (Diks-Stanczyk), gw (Gawrychowski-Wasylkiewicz, the faster of the two); lrs (contraction and
-    /// expansion) flips edges
+    /// Initial pairing: best (best-shaped quads, provably) or tq (for speed, without regard to
+    /// shape). Of the literature: sg (simple greedy), ps (Pulli-Segal), ds (Diks-Stanczyk), gw
+    /// (Gawrychowski-Wasylkiewicz), lrs (contraction and expansion; flips edges)
     #[arg(long, default_value = "best", value_name = "NAME")]
     #[arg(value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
-    /// How lrs expands: printed (as published) or few-flips (ours: looks for another pairing before
-    /// it flips an edge)
+    /// Expansion of lrs: printed (as published) or few-flips (ours: flips an edge only if a search
+    /// for another pairing fails)
     #[arg(long, default_value = "printed", value_name = "NAME")]
     #[arg(value_parser = one_of(Expansion::ALL, Expansion::id))]
     lrs_variant: Expansion,
-    /// The order in which lrs tests the edges at a vertex: stack (new ones first, fewer edges are
+    /// Order in which lrs tests the edges at a vertex: stack (new ones first; fewer edges are
     /// flipped) or queue (as printed)
     #[arg(long, default_value = LRS_ORDER.id(), value_name = "NAME")]
     #[arg(value_parser = one_of(Discipline::ALL, Discipline::id))]
     lrs_order: Discipline,
-    /// How the pairing is made perfect: local (ours), tarjan (as published, slow on purpose) or
-    /// rebuild (as tarjan, the graph set up anew for each path)
+    /// Search for augmenting paths: local (ours), tarjan (as published, slow on purpose) or rebuild
+    /// (as tarjan, with the graph set up anew for each path)
     #[arg(long, default_value = "local", value_name = "NAME")]
     #[arg(value_parser = one_of(Augmentation::ALL, Augmentation::id))]
     augmentation: Augmentation,
@@ -65,17 +64,17 @@ pub struct Arguments {
     /// Write counts and times as JSON to FILE, '-' for standard output
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
-    /// Give up after N augmenting paths, for estimates: nothing but counts and times comes of it
+    /// Stop after N augmenting paths and print counts and times only, for estimates
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     #[arg(conflicts_with_all = ["output", "write_triangulation"])]
     stop_after_paths: Option<u64>,
-    /// Write the triangulation whose triangles were paired: that of the input, but for lrs
+    /// Write the triangulation whose triangles were paired; differs from the input for lrs only
     #[arg(long, value_name = "FILE")]
     write_triangulation: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
-    /// Take surfaces with boundary and one-sided ones: the fewest triangles are left over, provably,
-    /// and written as triangles. For best, tq, ps and sg
+    /// Accept surfaces with boundary and one-sided ones. The fewest triangles are left over,
+    /// provably, and written as triangles. For best, tq, ps and sg
     #[arg(long)]
     open: bool,
     #[command(flatten)]
@@ -86,7 +85,7 @@ pub struct Arguments {
     /// Write the edges to keep that were given up: two vertex numbers a line
     #[arg(long, value_name = "FILE")]
     given_up: Option<PathBuf>,
-    /// Write nothing, but print a table of all algorithms with the quality and the time of each
+    /// Print a table of all algorithms with the quality and the time of each; write no mesh
     #[arg(long, conflicts_with_all = [
         "output", "stats", "write_triangulation", "certificate", "given_up", "stop_after_paths",
         "algorithm",

@@ -12,9 +12,10 @@ use crate::input::Reading;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 
-/// Tell what a mesh is: counts, genus, components, and every law that it breaks
+/// Print counts, genus and components of a mesh, and every law that it breaks
 ///
-/// Exit code 2 if the mesh is not a triangulation of closed surfaces; everything is still printed.
+/// Exit code 2 if the mesh is not a triangulation of closed surfaces; all counts are printed
+/// anyway.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad info bunny.obj\n  triquad info scan.stl --json")]
 pub struct Arguments {

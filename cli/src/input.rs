@@ -12,13 +12,12 @@ use crate::stdio;
 /// Options of reading a mesh.
 #[derive(clap::Args, Clone, Copy, Default)]
 pub struct Reading {
-    /// Make vertices one that are at equal coordinates, or at most EPS apart; the first of them
-    /// stays where it is
+    /// Join vertices at equal coordinates, or at most EPS apart; the first of them keeps its place
     #[arg(long, value_name = "EPS", num_args = 0..=1, default_missing_value = "0")]
     #[arg(value_parser = distance)]
     pub weld: Option<f64>,
-    /// What a gzipped file may expand to, such as 40G [default: 256 MiB, or 100 times its size if
-    /// that is more]
+    /// Greatest size of an expanded gzip file, such as 40G [default: 256 MiB, or 100 times the size
+    /// of the file if that is more]
     #[arg(long, value_name = "BYTES", value_parser = bytes)]
     pub max_expanded: Option<u64>,
 }
@@ -55,7 +54,7 @@ fn bytes(text: &str) -> Result<u64, String> {
     bytes.ok_or_else(|| format!("'{text}' is not a number of bytes, such as 5000000 or 40G"))
 }
 
-/// Reads a mesh, and welds it if that is asked for.
+/// Reads a mesh, and welds it if requested.
 pub fn read(path: &Path, reading: Reading) -> Result<Mesh, Failure> {
     let reader = reading.max_expanded.map_or(Reader::new(), |max| Reader::new().max_expanded(max));
     let mut mesh = reader.read(path).map_err(|error| mesh_failure(path, &error))?;
@@ -129,7 +128,7 @@ pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Fail
     Ok((mesh, Built::Open(open, survey)))
 }
 
-/// Cuts polygons into triangles if that is asked for.
+/// Cuts polygons into triangles if requested.
 pub fn triangulate(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<(), Failure> {
     if !repairs.triangulate {
         return Ok(());

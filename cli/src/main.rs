@@ -55,13 +55,13 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 
 /// All-quadrilateral meshes from triangle meshes of closed surfaces.
 ///
-/// Pairs up edge-adjacent triangles so that none is left over and removes the edge between the two
-/// of each pair: every vertex stays where it is, every other edge stays, and every face is a quad.
-/// That always works on a closed surface (Petersen's theorem).
+/// Pairs up edge-adjacent triangles, none left over, and removes the edge between the two of each
+/// pair. Every vertex and every other edge stays, and every face is a quad. On a closed surface
+/// this is always possible (Petersen's theorem).
 #[derive(Parser)]
 #[command(version, after_help = format!(
-    "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is any of them on \
-     standard input, OBJ on standard output.\nExit codes: 0 done, 1 a check said no, 2 bad input or usage.\n\n\
+    "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is any of them on standard input, \
+     OBJ on standard output.\nExit codes: 0 done, 1 a check failed, 2 bad input or usage.\n\n\
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {

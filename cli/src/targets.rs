@@ -75,17 +75,17 @@ impl<'a> Targets<'a> {
         })
     }
 
-    /// Writes the mesh, if it was asked for.
+    /// Writes the mesh, if requested.
     pub fn write_mesh(&mut self, mesh: &Mesh) -> Result<(), Failure> {
         write_to(self.mesh.take(), self.paths.output, mesh)
     }
 
-    /// Writes the triangles, if they were asked for.
+    /// Writes the triangles, if requested.
     pub fn write_triangles(&mut self, mesh: &Mesh) -> Result<(), Failure> {
         write_to(self.triangles.take(), self.paths.triangles, mesh)
     }
 
-    /// Writes the certificate, if it was asked for.
+    /// Writes the certificate, if requested.
     pub fn write_certificate(
         &mut self,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -93,7 +93,7 @@ impl<'a> Targets<'a> {
         self.certificate.take().map_or(Ok(()), |target| target.write(write))
     }
 
-    /// Writes edges as pairs of vertices counted from 1, if they were asked for.
+    /// Writes edges as pairs of vertices counted from 1, if requested.
     pub fn write_given_up(&mut self, edges: &[[u32; 2]]) -> Result<(), Failure> {
         let Some(target) = self.given_up.take() else { return Ok(()) };
         target.write(|out| {
@@ -102,7 +102,7 @@ impl<'a> Targets<'a> {
         })
     }
 
-    /// Writes the statistics as JSON, if they were asked for.
+    /// Writes the statistics as JSON, if requested.
     fn write_stats(&mut self, stats: &impl Serialize) -> Result<(), Failure> {
         let Some(target) = self.stats.take() else { return Ok(()) };
         let json = serde_json::to_string_pretty(stats)

@@ -30,8 +30,9 @@ use crate::triangulation::{
 /// which should hold all vertices. Those that are gone or in no triangle are skipped.
 ///
 /// O(n) for surfaces of genus 0 and O(g² + g n) for genus g > 0; 36 bytes a vertex for the state
-/// and the receipts, and 8 for each edge between one put aside and a processed vertex. Triangles that are numbered at random take about three times as long as
-/// others; renumbering them first was measured to take longer than that.
+/// and the receipts, and 8 for each edge between one put aside and a processed vertex. Triangles
+/// that are numbered at random take about three times as long as others; renumbering them first was
+/// measured to take longer than that.
 pub fn ramaswami_siqueira(
     triangulation: ShrinkingTriangulation,
     order: impl IntoIterator<Item = VertexId>,
@@ -239,8 +240,8 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         }
     }
 
-    /// Lists [u, w], which has just been put aside, at each processed vertex in the link of `w` that
-    /// is no neighbour of u.
+    /// Lists [u, w], which has just been put aside, at each processed vertex in the link of `w`
+    /// that is no neighbour of u.
     fn wait_for_strangers(&mut self, w: VertexId) {
         for &FarSpoke { end: z, .. } in &self.far_spokes {
             let stranger = &mut self.lists[z];
@@ -342,7 +343,8 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
 }
 
 impl Neighbour {
-    /// Returns the first edge that waits for this vertex in this `round`, or [`WaitingEdges::NONE`].
+    /// Returns the first edge that waits for this vertex in this `round`, or
+    /// [`WaitingEdges::NONE`].
     #[inline]
     pub(super) fn first_waiting(&self, round: u32) -> u32 {
         if self.round == round + 1 { self.critical_cycles } else { WaitingEdges::NONE }

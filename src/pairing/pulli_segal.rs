@@ -31,8 +31,8 @@ use crate::triangulation::TriangleId;
 /// is given, else in their order; `random` also chooses which side of a triangle counts as its
 /// first.
 ///
-/// Θ(n) time: a triangle changes its set at most three times. 20 bytes a triangle, and queues as long
-/// as the edge of the paired region.
+/// Θ(n) time: a triangle changes its set at most three times. 20 bytes a triangle, and queues as
+/// long as the edge of the paired region.
 pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
     let random = random.map(|random| Shuffler::new(random, None));
     pair_by_priority(RankedGraph::copy_of(graph), random).1

@@ -309,7 +309,7 @@ impl<'c, 'm, const ARITY: u32> Star<'c, 'm, ARITY> {
     }
 }
 
-/// What was counted at the vertices of a range.
+/// Counts at the vertices of a range.
 #[derive(Default)]
 struct Found {
     degree_two_vertices: usize,

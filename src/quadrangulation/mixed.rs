@@ -60,7 +60,8 @@ impl MixedFaces {
         &self.removed
     }
 
-    /// Carries the attributes of `list`, the mesh of the surface, over; `None` if it has none. O(n).
+    /// Carries the attributes of `list`, the mesh of the surface, over; `None` if it has none.
+    /// O(n).
     ///
     /// A corner where both triangles of a quad meet takes the indices of the lower one. A quad
     /// belongs to the sections of its lower triangle.

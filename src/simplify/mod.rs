@@ -29,14 +29,14 @@ use crate::triangulation::{
     HalfEdgeId, IdVec, LinkMarks, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
 };
 
-/// Why a triangulation cannot be simplified to the number of vertices asked for.
+/// Reason why a triangulation cannot be simplified to the requested number of vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimplifyError {
     /// There are not as many vertices.
     #[error("{wanted} vertices wanted, but there are only {present}")]
     TooMany {
-        /// Vertices asked for.
+        /// Requested number of vertices.
         wanted: usize,
         /// Vertices there are.
         present: usize,
@@ -48,7 +48,7 @@ pub enum SimplifyError {
          change of topology"
     )]
     Irreducible {
-        /// Vertices asked for.
+        /// Requested number of vertices.
         wanted: usize,
         /// Vertices left.
         reached: usize,

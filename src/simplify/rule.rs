@@ -33,7 +33,7 @@ pub(super) fn price(
     }
 }
 
-/// Returns the place that `rule` wants for the vertex that the edge of `h` becomes.
+/// Returns the place by `rule` of the vertex that the edge of `h` becomes.
 #[inline]
 pub(super) fn placement(
     rule: Rule,

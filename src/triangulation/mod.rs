@@ -4,8 +4,8 @@
 //! arithmetic, and a flat array holds the rest: the origin and the twin of every half-edge.
 //! Several components are allowed, each a closed surface; so are vertices that no triangle uses.
 //!
-//! [`OpenTriangulation`] holds surfaces with a boundary and one-sided ones, [`Surface`] is what both
-//! have in common.
+//! [`OpenTriangulation`] holds surfaces with a boundary and one-sided ones, [`Surface`] is what
+//! both have in common.
 
 mod build;
 mod contraction;

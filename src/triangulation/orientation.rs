@@ -1,4 +1,4 @@
-//! Whether the faces of a mesh can be oriented alike, and which ones to flip for it.
+//! True if the faces of a mesh can be oriented alike, and which ones to flip for it.
 
 use super::face_sides::{FaceSide, SidesByEdge};
 use super::laws::{Element, Law};

@@ -188,7 +188,7 @@ fn find_duplicates(list: &Mesh, sound: &[bool], violations: &mut Violations) {
         corners.sort_unstable();
         corners
     };
-    // A sum does not depend on the order of the corners; equal sums are looked at more closely.
+    // A sum does not depend on the order of the corners; equal sums are compared corner by corner.
     let scramble =
         |&v: &u32| (u64::from(v) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
     let key = |face: usize| list.faces()[face].iter().map(scramble).fold(0, u64::wrapping_add);

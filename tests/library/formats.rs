@@ -545,8 +545,8 @@ fn long_texts_are_read_like_short_ones() {
 // A reader by others as oracle.
 
 /// A mesh as its faces show it: how many corners each has, and the bits of their coordinates. Says
-/// nothing of the order of vertices, which the oracle changes, nor of those that no face uses, which
-/// it drops.
+/// nothing of the order of vertices, which the oracle changes, nor of those that no face uses,
+/// which it drops.
 #[derive(Debug, Default, PartialEq)]
 struct Shown {
     arities: Vec<usize>,

@@ -1,4 +1,5 @@
-//! Building triangulations: what is valid is accepted, and a mutated mesh is refused by the right law.
+//! Building triangulations: what is valid is accepted, and a mutated mesh is refused by the right
+//! law.
 
 use std::collections::HashMap;
 

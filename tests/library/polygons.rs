@@ -112,7 +112,8 @@ proptest! {
     }
 }
 
-/// Returns, without rounding as all numbers are small multiples of powers of 2, the kept positions and the vertex that each becomes.
+/// Returns, without rounding as all numbers are small multiples of powers of 2, the kept positions
+/// and the vertex that each becomes.
 fn weld_slowly(places: &[[f64; 3]], tolerance: f64, scale: f64) -> (Vec<[f64; 3]>, Vec<u32>) {
     let square = |p: &[f64; 3], q: &[f64; 3]| {
         (0..3).map(|axis| ((p[axis] - q[axis]) / scale).powi(2)).sum::<f64>()

@@ -1,6 +1,6 @@
 //! Certificate files: the proof that a pairing is the best, as text.
 //!
-//! A file says what the pairing is the best of, then the dual values that prove it. Lines in order:
+//! A file states the aims of the pairing, then the dual values that prove it. Lines in order:
 //!
 //! ```text
 //! triquad-certificate 1

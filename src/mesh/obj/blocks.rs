@@ -6,7 +6,7 @@ use super::statements::Continued;
 use crate::mesh::error::{MeshError, Place};
 use crate::mesh::line_ends;
 
-/// Number of bytes asked for at a time.
+/// Number of bytes requested at a time.
 pub(super) const BLOCK: usize = 1 << 20;
 
 /// Lines up to this length are read whatever the blocks; continued lines count as one.

@@ -55,7 +55,7 @@ fn read_elements(header: &Header, source: &mut impl Source) -> Result<Mesh, Mesh
 fn read_vertices(element: &Element, source: &mut impl Source) -> Result<Vec<[f64; 3]>, MeshError> {
     let plan: Vec<_> =
         element.properties.iter().map(|property| (element.axis(property), property.kind)).collect();
-    // A vertex takes three bytes at least, whatever the header says.
+    // A vertex takes three bytes at least, whatever the header states.
     let mut positions = Vec::with_capacity(element.count.min(source.rest().len() / 3));
     let done = source.whole_vertices(element, &mut positions);
     for_each_record(element, done, || {

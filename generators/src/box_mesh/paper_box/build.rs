@@ -91,7 +91,7 @@ struct Builder {
     shape: PaperBox,
     /// Along x, y and z.
     cells: [u32; 3],
-    /// Whether each shaft is a hole, row by row.
+    /// True if each shaft is a hole, row by row.
     holes: Vec<bool>,
     surface: CellSurface,
     /// The lattice vertices of bottom and top, row by row.

@@ -23,8 +23,8 @@ pub struct PaperBox {
     pub holes: u32,
 }
 
-/// The diagonals that cut the cells of walls, outer sides included. All cells of one wall have the same, so that nearly
-/// all vertices there have degree 6.
+/// The diagonals that cut the cells of walls, outer sides included. All cells of one wall have the
+/// same, so that nearly all vertices there have degree 6.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Walls {
     /// `/\/\`: the four walls of a shaft turn by turn.
@@ -38,14 +38,14 @@ pub enum Walls {
     Drawn,
 }
 
-/// Why there is no such box.
+/// Reason why there is no such box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImpossiblePaperBox {
     /// Cavities without depth.
     NoDepth,
     /// More holes than shafts.
     TooManyHoles {
-        /// Holes asked for.
+        /// Requested holes.
         holes: u32,
         /// Shafts there are.
         shafts: u64,
@@ -96,7 +96,8 @@ impl Walls {
         }
     }
 
-    /// Returns for the four walls round a shaft, or round the box, whether their diagonals are turned.
+    /// Returns for the four walls round a shaft, or round the box, whether their diagonals are
+    /// turned.
     pub(super) fn turned(self, below: &mut dyn FnMut(u32) -> u32) -> [bool; 4] {
         match self {
             Self::Alternating => [true, false, true, false],

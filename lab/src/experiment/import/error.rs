@@ -1,6 +1,6 @@
 //! What can be wrong with a file of results.
 
-/// Why a file cannot be read.
+/// Reason why a file cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum ImportError {
     /// It is no table of comma-separated values.
@@ -65,9 +65,9 @@ pub enum ImportError {
         line: u64,
         /// The column, as in `runs.csv`.
         column: String,
-        /// What stands there.
+        /// The text there.
         value: String,
-        /// What should stand there.
+        /// The expected text.
         expected: &'static str,
     },
 }

@@ -22,18 +22,18 @@ use crate::meshes::{MeshKind, Recipe};
 use crate::nearest::nearest;
 use crate::paper::Paper;
 
-/// How a file is to be read.
+/// Options for reading a file.
 #[derive(Clone, Debug)]
 pub struct ImportSettings {
     /// Algorithm of all rows; one of ours, or any other name.
     pub algorithm: String,
     /// What the algorithm makes, if that does not follow from its name or the columns.
     pub task: Option<Task>,
-    /// How large the meshes of the papers were.
+    /// Size of the papers' meshes.
     pub scale: Scale,
     /// Names of columns in the file and in `runs.csv`; `-` for a column that is to be left out.
     pub mapping: Vec<(String, String)>,
-    /// Whether there may be meshes that the papers do not have.
+    /// True if there may be meshes that the papers do not have.
     pub allows_other_meshes: bool,
 }
 

@@ -4,12 +4,12 @@ use super::evidence::Evidence;
 use crate::report::claims::{Cause, Claim, ClaimKind, Finding, MeshNumber, Need};
 use crate::report::summary::Summary;
 
-/// What became of a claim.
+/// Verdict on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
     /// It holds of our records.
     Reproduced,
-    /// It holds of our records, as it must: a theorem or a definition says so.
+    /// It holds of our records, as it must, by a theorem or a definition.
     ByConstruction,
     /// Other runs of the same would decide otherwise too often.
     Undecided,
