@@ -94,7 +94,7 @@ pub use mesh::MeshError;
 pub use names::UnknownNameError;
 pub use pairing::{Algorithm, Expansion};
 pub use quadrangulation::{
-    CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, ShapeCost, check,
-    check_retriangulation,
+    AttributeLosses, CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, ShapeCost, check,
+    check_retriangulation, common_edges,
 };
 pub use triangulation::{Element, Law, Survey, Triangulation, Violation};

@@ -31,8 +31,8 @@ pub struct AimOptions {
     #[arg(long)]
     strict: bool,
     /// Let triangles stay wherever a pair would cost more than twice PRICE, at 0.35 if no PRICE is
-    /// given. 1 is the price of a flat quad with a corner of 180 degrees; with --cost FILE, PRICE is
-    /// in the unit of FILE
+    /// given. PRICE 1 stands for a loss of 1 in scaled Jacobian, from a rectangle to a corner of 180
+    /// degrees; with --cost FILE it is 1 in the unit of FILE
     #[arg(long, value_name = "PRICE", num_args = 0..=1, default_missing_value = "0.35")]
     #[arg(value_parser = price, allow_negative_numbers = true)]
     quad_dominant: Option<f64>,

@@ -108,6 +108,7 @@ impl Arguments {
     /// Returns a converter with all options but the algorithm and the aims of best.
     fn converter<'a>(&self, progress: &'a mut StatusLine) -> Converter<'a> {
         Converter::new()
+            .lrs_order(self.lrs_order)
             .augmentation(self.augmentation)
             .seed(self.seed)
             .orient(self.repairs.orient)
@@ -164,11 +165,11 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         given_up: arguments.given_up.as_deref(),
     })?;
     let aims = arguments.aims.read()?;
-    let (mesh, read_seconds) = clock.time(|| input::read(&arguments.input));
+    let reading = arguments.repairs.reading;
+    let (mesh, read_seconds) = clock.time(|| input::read(&arguments.input, reading));
     let mut mesh = mesh?;
-    if arguments.repairs.triangulate {
-        mesh.triangulate();
-    }
+    input::triangulate(&arguments.input, &mut mesh, arguments.repairs)?;
+    let unknown_lines = mesh.unknown_lines().map(String::from);
     if arguments.compare {
         return compare(arguments, &mesh, &aims, status);
     }
@@ -176,7 +177,6 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     let converted = arguments
         .converter(&mut status)
         .algorithm(arguments.algorithm())
-        .lrs_order(arguments.lrs_order)
         .aims(aims.aims.clone())
         .keep_proof(arguments.certificate.is_some())
         .run(mesh);
@@ -193,9 +193,12 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         Ok(quads) => quads,
         Err(ConvertError::Stopped(report)) => {
             drop(status);
-            return targets.finish(&stats(&report, 0.0, &[]), &[], &report.to_string());
+            let stats = stats(&report, 0.0, &[]);
+            return targets.finish_without_mesh(&stats, &[], &report.to_string());
         }
-        Err(error) => return Err(conversion_failure(arguments, &aims, &error)),
+        Err(error) => {
+            return Err(conversion_failure(arguments, &aims, &error, unknown_lines.as_deref()));
+        }
     };
     status.say("writing the quads");
     let (written, write_seconds) = clock.time(|| targets.write_mesh(quads.mesh()));
@@ -205,14 +208,23 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     }
     targets.write_given_up(quads.given_up())?;
     let report = quads.report().clone();
-    let left_out = quads.mesh().left_out().to_vec();
+    let (mut left_out, mut losses) = (quads.mesh().left_out().to_vec(), quads.losses().notes());
+    if targets.drops_attributes() {
+        left_out = input::left_out_of_faces(quads.mesh());
+        losses.clear();
+    }
     if arguments.write_triangulation.is_some() {
         status.say("writing the triangles");
         targets.write_triangles(&quads.into_triangle_mesh())?;
     }
     drop(status);
-    let stats = stats(&report, write_seconds, &left_out);
-    targets.finish(&stats, &left_out, &report.to_string())
+    let all_left_out = [&left_out[..], &losses].concat();
+    let stats = stats(&report, write_seconds, &all_left_out);
+    let mut summary = report.to_string();
+    if !losses.is_empty() {
+        summary = format!("{summary}; lost: {}", losses.join(", "));
+    }
+    targets.finish(&stats, &left_out, &summary)
 }
 
 /// Converts by every algorithm and prints a table.
@@ -235,14 +247,21 @@ fn compare(
         match converter.run(mesh) {
             Ok(converted) => table.add(converted),
             Err(ConvertError::NeedsClosed(_)) => table.skip(named),
-            Err(error) => return Err(conversion_failure(arguments, aims, &error)),
+            Err(error) => {
+                return Err(conversion_failure(arguments, aims, &error, mesh.unknown_lines()));
+            }
         }
     }
     drop(status);
     stdio::say(&table.to_string())
 }
 
-fn conversion_failure(arguments: &Arguments, aims: &ReadAims, error: &ConvertError) -> Failure {
+fn conversion_failure(
+    arguments: &Arguments,
+    aims: &ReadAims,
+    error: &ConvertError,
+    unknown_lines: Option<&str>,
+) -> Failure {
     let input = &arguments.input;
     if let Some(failure) = aims.failure(input, error) {
         return failure;
@@ -251,7 +270,7 @@ fn conversion_failure(arguments: &Arguments, aims: &ReadAims, error: &ConvertErr
         ConvertError::Refused(survey) => {
             let opens = !arguments.open && survey.is_open_surface(arguments.repairs.orient);
             let remedy = opens.then_some("--open converts it and leaves the fewest triangles");
-            input::refusal(input, survey, remedy)
+            input::refusal(input, survey, remedy, unknown_lines)
         }
         ConvertError::NeedsClosed(_) | ConvertError::NeedsBest { .. } => {
             Failure::bad(format!("{}: {error}", input.display()))

@@ -22,7 +22,7 @@ pub struct Facts {
     pub law: Option<&'static str>,
     pub element: Option<String>,
     pub count: Option<usize>,
-    pub remedy: &'static str,
+    pub remedy: String,
 }
 
 impl Failure {

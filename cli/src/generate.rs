@@ -7,7 +7,9 @@ use triquad::clock::{Clock, SystemClock};
 use triquad::mesh::Output;
 use triquad::simplify::Shape;
 use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
-use triquad_lab::meshes::{BoxShape, Cache, GenerateError, PaperBox, Recipe, Walls};
+use triquad_lab::meshes::{
+    BoxShape, Cache, GenerateError, ImpossiblePaperBox, PaperBox, Recipe, Walls,
+};
 
 use crate::failure::Failure;
 use crate::formats::writes;
@@ -214,7 +216,11 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
 fn failure(recipe: &Recipe, error: &GenerateError) -> Failure {
     let remedy = match error {
         GenerateError::Box(_) => "ask for another number of vertices",
-        GenerateError::PaperBox(_) => "ask for other numbers of shafts and holes, or another depth",
+        GenerateError::PaperBox(ImpossiblePaperBox::NoDepth) => "ask for a depth of 1 or more",
+        GenerateError::PaperBox(ImpossiblePaperBox::TooManyHoles { .. }) => {
+            "ask for fewer holes or more shafts"
+        }
+        GenerateError::PaperBox(_) => "ask for fewer shafts or less depth",
         GenerateError::TooLarge { .. } => "ask for fewer vertices or a smaller genus",
         GenerateError::Simplify(_) => "ask for more vertices",
         GenerateError::Cache { .. } => "check its permissions, or name another folder with --cache",

@@ -35,7 +35,7 @@ pub struct Arguments {
     #[arg(long, default_value = "file", value_name = "NAME")]
     #[arg(value_parser = one_of(Order::ALL, Order::id))]
     order: Order,
-    /// Seed of brute-force and of --order random; the same seed gives the same bytes
+    /// Seed of schipper, brute-force and --order random; the same seed gives the same bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
     seed: u64,
     /// Refused: only convert takes surfaces with boundary

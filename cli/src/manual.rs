@@ -32,13 +32,14 @@ pub struct Manual {
 /// Prints completions.
 pub fn print_completions<A: CommandFactory>(arguments: &Completions) -> Result<(), Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut A::command(), "triquad", &mut script);
+    let mut tool = A::command().name("triquad");
+    clap_complete::generate(arguments.shell, &mut tool, "triquad", &mut script);
     stdio::say_by(|out| out.write_all(&script))
 }
 
 /// Prints a manual page.
 pub fn print_manual<A: CommandFactory>(arguments: &Manual) -> Result<(), Failure> {
-    let mut tool = A::command().disable_help_subcommand(true);
+    let mut tool = A::command().name("triquad").disable_help_subcommand(true);
     tool.build();
     let page = match &arguments.verb {
         None => tool,

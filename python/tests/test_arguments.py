@@ -82,7 +82,10 @@ def wrong_values(right: np.ndarray) -> Iterator[Any]:
     yield array
 
 
-@pytest.mark.parametrize("call", [call for call in CALLS if RIGHT[call.split()[1]].dtype.kind in "iu" and "cost" not in call])
+INDEXED = [call for call in CALLS if RIGHT[call.split()[1]].ndim == 2 and "vert" not in call]
+
+
+@pytest.mark.parametrize("call", INDEXED)
 def test_indices_of_no_vertex_are_refused_by_name(call: str) -> None:
     argument = call.split()[1]
     for wrong in wrong_values(RIGHT[argument]):
@@ -111,7 +114,8 @@ def test_coordinates_that_are_no_numbers_are_refused(call: str, value: float, dt
 def test_a_mesh_without_triangles_is_refused(dtype: type) -> None:
     for empty in (np.empty((0, 3), dtype), []):
         for call in ("convert triangles", "pair triangles", "irreducible triangles"):
-            with pytest.raises(triquad.MeshError, match="^triangles: the mesh has no faces") as refused:
+            reason = "^triangles: the mesh has no faces"
+            with pytest.raises(triquad.MeshError, match=reason) as refused:
                 CALLS[call](empty)
             assert (refused.value.law, refused.value.element.kind) == ("empty-mesh", "mesh")
     assert triquad.survey([], []).violations[0].law == "empty-mesh"
@@ -132,7 +136,7 @@ def test_the_law_the_first_element_and_the_number_of_others_are_named() -> None:
     assert (refused.value.law, refused.value.element) == ("index-out-of-range", ("face", (3,)))
 
 
-@pytest.mark.parametrize("dtype", ["i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", ">i4", ">u8", "q", "Q", "l", "L"])
+@pytest.mark.parametrize("dtype", "i1 u1 i2 u2 i4 u4 i8 u8 >i4 >u8 q Q l L".split())
 def test_indices_may_have_any_integer_dtype(dtype: str) -> None:
     assert np.array_equal(triquad.convert(VERTICES, TRIANGLES.astype(dtype))[0], QUADS)
 

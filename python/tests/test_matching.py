@@ -31,7 +31,8 @@ def is_proved(edges: Any, costs: Any, price: int | None, matching: triquad.Match
         while innermost >= 0:
             above[-1].add(innermost)
             innermost = int(proof.parents[innermost])
-    y = [int(p) - sum(int(proof.values[s]) for s in sets) for p, sets in zip(proof.potentials, above)]
+    inside = [sum(int(proof.values[s]) for s in sets) for sets in above]
+    y = [int(potential) - z for potential, z in zip(proof.potentials, inside)]
     for (u, v), cost in zip(edges.tolist(), costs.tolist()):
         crossed = sum(int(proof.values[s]) for s in above[u] ^ above[v])
         if u != v and y[u] + y[v] + crossed > 2 * cost:

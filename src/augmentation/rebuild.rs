@@ -45,3 +45,23 @@ impl Sides for NeighbourLists {
         [0, 1, 2].map(|side| list.get(side).copied().unwrap_or(TriangleId::NONE))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples::{surfaces, triangulation};
+
+    #[test]
+    fn paths_are_those_of_tarjan() {
+        for surface in surfaces(4, 60) {
+            let graph = DualGraph::new(&triangulation(&surface));
+            let augmented = |augment: fn(&_, &mut _, &mut dyn FnMut() -> _) -> _| {
+                let mut matching = Matching::empty(graph.len());
+                let stats: AugmentationStats =
+                    augment(&graph, &mut matching, &mut || ControlFlow::Continue(()));
+                (matching, stats)
+            };
+            assert_eq!(augmented(augment), augmented(tarjan::augment));
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! The faces that an imperfect pairing makes: quads, and the triangles left over.
 
 use super::edge_quad::quad_corners;
+use super::losses::{self, AttributeLosses};
 use crate::dual::Matching;
 use crate::mesh::{Attributes, Faces, Mesh};
 use crate::triangulation::{HalfEdgeId, Surface};
@@ -71,6 +72,13 @@ impl MixedFaces {
             .collect();
         let face_at = |face: usize| lowest.partition_point(|&triangle| triangle < face);
         Some(super::carry(given, sources, face_at))
+    }
+
+    /// Counts what the quads cannot keep of the attributes of `list`, the mesh of `surface`.
+    /// O(n log s) for s sections.
+    pub fn attribute_losses(&self, surface: &impl Surface, list: &Mesh) -> AttributeLosses {
+        let Some(attributes) = list.attributes() else { return AttributeLosses::default() };
+        losses::count(attributes, surface, surface, &self.removed, HalfEdgeId::index)
     }
 
     /// Takes the faces and drops the rest.

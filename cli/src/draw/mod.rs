@@ -13,6 +13,7 @@ use triquad_render::{Camera, Image, Lines, PictureError, Section};
 
 use crate::failure::Failure;
 use crate::formats::reads;
+use crate::input::Reading;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 use scene::Scene;
@@ -53,7 +54,7 @@ pub struct Arguments {
     #[arg(long, default_value = "y", value_name = "AXIS")]
     up: Up,
     /// Enlarge; at 1 the whole mesh is seen
-    #[arg(long, default_value_t = 1.0, value_name = "X")]
+    #[arg(long, default_value_t = 1.0, value_name = "X", allow_negative_numbers = true)]
     zoom: f64,
     /// Cut away what lies beyond a plane: a point of it, and the direction to be cut away
     #[arg(long, num_args = 6, value_names = ["X", "Y", "Z", "DX", "DY", "DZ"])]
@@ -87,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let status = StatusLine::new("reading the mesh");
     let target = arguments.output.as_deref().map(Target::open).transpose()?;
     let paths = arguments.against.iter().chain([&arguments.input]);
-    let meshes = paths.map(|path| Ok((path.as_path(), input::read(path)?)));
+    let meshes = paths.map(|path| Ok((path.as_path(), input::read(path, Reading::default())?)));
     let meshes: Vec<(&Path, Mesh)> = meshes.collect::<Result<_, Failure>>()?;
     status.say("drawing");
     let size = match &target {

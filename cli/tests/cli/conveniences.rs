@@ -33,14 +33,14 @@ fn printed(output: &Output, code: i32) -> [String; 2] {
     texts
 }
 
-/// A folder with `ball.obj`, its quads `quads.obj`, and `open.obj`, which is refused.
+/// A folder with `ring.obj`, a torus, its quads `quads.obj`, and `open.obj`, which is refused.
 fn folder() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    put(&folder, "ball.obj", &grids::sphere(6));
+    put(&folder, "ring.obj", &grids::torus(12, 12));
     let mut open = classic::octahedron();
     open.triangles.pop();
     put(&folder, "open.obj", &open);
-    printed(&run(&folder, "convert ball.obj -o quads.obj"), 0);
+    printed(&run(&folder, "convert ring.obj -o quads.obj"), 0);
     folder
 }
 
@@ -66,7 +66,7 @@ fn pictures_have_the_size_asked_for_and_differ_by_what_they_show() {
         "--up z",
         "--zoom 2",
         "--section 0 0 0 0 -1 0.5",
-        "--against ball.obj",
+        "--against ring.obj",
     ]
     .iter()
     .enumerate()
@@ -143,10 +143,10 @@ fn without_a_terminal_a_picture_is_plain_shades_that_fit_the_columns_named() {
 fn several_inputs_are_converted_and_the_exit_code_tells_of_the_refused_one() {
     let folder = folder();
     put(&folder, "b.ply.gz", &classic::octahedron());
-    let convert = "convert ball.obj open.obj b.ply.gz missing.obj --out-dir new/quads --format off";
+    let convert = "convert ring.obj open.obj b.ply.gz missing.obj --out-dir new/quads --format off";
     let [stdout, stderr] = printed(&run(&folder, convert), 2);
     assert_eq!(stdout.lines().count(), 2, "{stdout}");
-    assert!(stdout.starts_with("ball.obj -> new/quads/ball.off: 288 triangles"), "{stdout}");
+    assert!(stdout.starts_with("ring.obj -> new/quads/ring.off: 288 triangles"), "{stdout}");
     let reasons: Vec<&str> = stderr.lines().collect();
     assert_eq!(reasons.len(), 3, "{stderr}");
     assert!(reasons[0].contains("open.obj: edge") && reasons[1].contains("missing.obj: "));
@@ -156,24 +156,24 @@ fn several_inputs_are_converted_and_the_exit_code_tells_of_the_refused_one() {
         .map(|entry| entry.unwrap().file_name())
         .collect();
     made.sort();
-    assert_eq!(made, ["b.off", "ball.off"]);
-    printed(&run(&folder, "convert ball.obj -o alone.off"), 0);
+    assert_eq!(made, ["b.off", "ring.off"]);
+    printed(&run(&folder, "convert ring.obj -o alone.off"), 0);
     let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
-    assert_eq!(read("alone.off"), read("new/quads/ball.off"));
-    let [stdout, _] = printed(&run(&folder, "convert ball.obj b.ply.gz --out-dir same"), 0);
-    assert!(stdout.contains("same/ball.obj: ") && stdout.contains("same/b.ply.gz: "), "{stdout}");
+    assert_eq!(read("alone.off"), read("new/quads/ring.off"));
+    let [stdout, _] = printed(&run(&folder, "convert ring.obj b.ply.gz --out-dir same"), 0);
+    assert!(stdout.contains("same/ring.obj: ") && stdout.contains("same/b.ply.gz: "), "{stdout}");
 }
 
 #[test]
 fn several_inputs_that_cannot_be_told_apart_are_refused_before_any_work() {
     let folder = folder();
-    std::fs::copy(folder.path().join("ball.obj"), folder.path().join("ball.OBJ")).unwrap();
+    std::fs::copy(folder.path().join("ring.obj"), folder.path().join("ring.OBJ")).unwrap();
     for (arguments, reason) in [
-        ("convert ball.obj ball.OBJ --out-dir out --format ply", "would have the same result"),
-        ("convert ball.obj quads.obj", "--out-dir"),
+        ("convert ring.obj ring.OBJ --out-dir out --format ply", "would have the same result"),
+        ("convert ring.obj quads.obj", "--out-dir"),
         ("convert - --out-dir out", "standard input has no name"),
-        ("convert ball.obj --out-dir out -o a.obj", "cannot be used with"),
-        ("convert ball.obj --format ply", "--out-dir"),
+        ("convert ring.obj --out-dir out -o a.obj", "cannot be used with"),
+        ("convert ring.obj --format ply", "--out-dir"),
     ] {
         let [stdout, stderr] = printed(&run(&folder, arguments), 2);
         assert!(stdout.is_empty() && stderr.contains(reason), "{arguments}: {stderr}");
@@ -202,7 +202,7 @@ fn failures_are_json_where_that_is_asked_for() {
     let message = refused["message"].as_str().unwrap();
     assert!(message.ends_with(refused["remedy"].as_str().unwrap()), "{message}");
     assert_eq!(failure("--json info missing.obj", 2)["file"], "missing.obj");
-    assert_eq!(failure("check ball.obj --against ball.obj --json", 1)["exit_code"], 1);
+    assert_eq!(failure("check ring.obj --against ring.obj --json", 1)["exit_code"], 1);
     let usage = failure("convert --json", 2);
     assert!(usage["message"].as_str().unwrap().contains("required"), "{usage}");
     failure("info open.obj --json", 2);
@@ -212,11 +212,11 @@ fn failures_are_json_where_that_is_asked_for() {
 fn quiet_prints_answers_alone_and_verbose_every_step() {
     let folder = folder();
     for (arguments, lines) in [
-        ("convert ball.obj -o a.obj -q", 0),
-        ("check a.obj --against ball.obj --quiet", 0),
+        ("convert ring.obj -o a.obj -q", 0),
+        ("check a.obj --against ring.obj --quiet", 0),
         ("draw a.obj -o a.png --size 80 60 -q", 0),
-        ("convert ball.obj -q -o -", 146 + 144),
-        ("convert ball.obj -q --out-dir out", 0),
+        ("convert ring.obj -q -o -", 144 + 144),
+        ("convert ring.obj -q --out-dir out", 0),
     ] {
         let [stdout, stderr] = printed(&run(&folder, arguments), 0);
         let faces = stdout.lines().filter(|line| line.starts_with(['v', 'f'])).count();
@@ -225,12 +225,12 @@ fn quiet_prints_answers_alone_and_verbose_every_step() {
     }
     let [stdout, stderr] = printed(&run(&folder, "-q convert open.obj"), 2);
     assert_eq!((stdout.lines().count(), stderr.lines().count()), (0, 1));
-    let [stdout, stderr] = printed(&run(&folder, "convert ball.obj -o a.obj -v"), 0);
+    let [stdout, stderr] = printed(&run(&folder, "convert ring.obj -o a.obj -v"), 0);
     assert_eq!(stdout.lines().count(), 1);
     for step in ["s: reading the mesh", "s: pairing triangles", "s: writing the quads"] {
         assert!(stderr.lines().any(|line| line.starts_with("triquad: 0.") && line.ends_with(step)));
     }
-    printed(&run(&folder, "convert ball.obj -q -v"), 2);
+    printed(&run(&folder, "convert ring.obj -q -v"), 2);
 }
 
 #[test]

@@ -88,9 +88,9 @@ impl PaperBox {
     /// of side 1.
     ///
     /// The first shafts are one cell from the sides; the two cells that are left along y are behind
-    /// the last. Holes are spread over the array, those of a box with fewer among those of one with
-    /// more. Numbers run along the rows of the plates, each shaft after its row. `below` draws for
-    /// [`Walls::Drawn`]: `below(2)` once for each wall.
+    /// the last. Holes are drawn from the shafts by a fixed hash, those of a box with fewer among
+    /// those of one with more. Plates and floors come first, then the walls in slabs along x.
+    /// `below` draws for [`Walls::Drawn`]: `below(2)` once for each wall.
     ///
     /// O(n) time for n vertices; in addition to the surface, 4 bytes for each vertex of a plate.
     ///
