@@ -16,30 +16,35 @@ FEATURES := none files serde,threads
 # Crates in the order in which they are published, and the most bytes that one may have.
 PACKAGES := triquad-generators triquad triquad-render triquad-lab triquad-cli
 PACKAGE_BYTES := 1000000
+# Records that the tables of README and docs are made of: the newest in the repository.
+RESULTS ?= $(lastword $(sort $(wildcard results/20*)))
 # Seconds that each fuzz target runs.
 FUZZ_SECONDS ?= 60
 
-.PHONY: help build reproduce demo compare report test check features dependencies bench fuzz package
-.PHONY: clean toolchain python test-python
+.PHONY: help build reproduce demo compare report test check prose features dependencies bench fuzz
+.PHONY: package documents clean toolchain python test-python
 
 help:
-	@echo "make reproduce  the papers' experiments: small ones first, a page after a minute; then all of"
-	@echo "                them, about an hour; goes on where it was. DATA=folder adds meshes of your own"
-	@echo "make demo       the small ones alone"
-	@echo "make compare    what the papers claim, and what came of it here"
-	@echo "make report     tables, plots and the page of OUT, made anew from its records"
-	@echo "make build      the tool, target/release/triquad"
+	@echo "make build      builds the tool, target/release/triquad"
+	@echo "make demo       runs the papers' experiments on small meshes: a minute after the build"
+	@echo "make reproduce  runs the demo, then all experiments: about an hour. Resumes if"
+	@echo "                interrupted. DATA=folder adds meshes of your own"
+	@echo "make compare    prints every claim of the papers with its verdict, from OUT"
+	@echo "make report     rebuilds tables, plots and the page of OUT from its records"
 	@echo "make test       format, lints, documentation, all tests; ends with the tests that skipped"
-	@echo "make python     the wheel of the Python package, into target/wheels; needs Python 3.10 or newer"
-	@echo "make test-python  its tests, in a virtual environment"
-	@echo "make bench      times and memory; MESHES='a.obj b.ply' for your own, LEMON=program for a yardstick"
+	@echo "make documents  fills the tables of README and docs from RESULTS"
+	@echo "make python     builds the wheel of the Python package, target/wheels; needs Python 3.10"
+	@echo "make test-python  tests the wheel in a virtual environment"
+	@echo "make bench      times and memory; MESHES='a.obj b.ply' for your own, LEMON=program for"
+	@echo "                ratios to LEMON"
 	@echo "make fuzz       every reader on arbitrary bytes, FUZZ_SECONDS each; needs cargo-fuzz"
-	@echo "make package    the crates as they are published, checked"
-	@echo "make clean      remove what was built; results stay"
+	@echo "make package    builds the packages of the crates, checks their size, prints the order"
+	@echo "make clean      removes what was built; results stay"
 
 toolchain:
 	@command -v $(CARGO) >/dev/null 2>&1 || { \
-	  echo "cargo was not found: install Rust $$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml) or newer from https://rustup.rs" >&2; \
+	  version=$$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml); \
+	  echo "cargo was not found: install Rust $$version or newer from https://rustup.rs" >&2; \
 	  exit 2; }
 
 build: toolchain
@@ -57,7 +62,15 @@ compare: build
 report: build
 	$(TRIQUAD) report $(OUT)
 
-check: toolchain dependencies
+documents: build
+	$(TRIQUAD) report $(RESULTS) --docs README.md docs/*.md
+	cp $(RESULTS)/plots/lrs_against_ps.svg docs/
+
+# Columns, and words in documents.
+prose:
+	@.ci/prose
+
+check: toolchain dependencies prose
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --exclude triquad-python --all-targets -- -D warnings
 	$(MAKE) --no-print-directory features
@@ -77,10 +90,12 @@ dependencies: toolchain
 	  --no-dedupe "$$@" | grep -v '^triquad v' | sort -u | wc -l; }; \
 	bare=$$(crates --no-default-features); default=$$(crates); \
 	echo "dependencies of triquad: $$bare without default features, $$default with them"; \
-	[ "$$bare" -le 15 ] && [ "$$default" -le 42 ] || { echo "at most 15 and 42 are allowed" >&2; exit 1; }
+	[ "$$bare" -le 15 ] && [ "$$default" -le 42 ] || { \
+	  echo "at most 15 and 42 are allowed" >&2; exit 1; }
 
 test: check
-	$(CARGO) test --workspace --exclude triquad-python -- --include-ignored --show-output 2>&1 | tee $(TARGET)/tests.log
+	$(CARGO) test --workspace --exclude triquad-python -- --include-ignored --show-output 2>&1 | \
+	  tee $(TARGET)/tests.log
 	@.ci/skipped $(TARGET)/tests.log
 
 python: toolchain
@@ -103,8 +118,11 @@ package: toolchain
 	for name in $(PACKAGES); do \
 	  bytes=$$(wc -c <"$(TARGET)/package/$$name-$$version.crate"); \
 	  echo "$$name: $$bytes bytes"; \
-	  [ "$$bytes" -lt $(PACKAGE_BYTES) ] || { echo "at most $(PACKAGE_BYTES) are allowed" >&2; exit 1; }; \
+	  [ "$$bytes" -lt $(PACKAGE_BYTES) ] || { \
+	    echo "at most $(PACKAGE_BYTES) are allowed" >&2; exit 1; }; \
 	done
+	@echo "publish in this order:"
+	@for name in $(PACKAGES); do echo "  cargo publish -p $$name"; done
 
 clean:
 	$(CARGO) clean

@@ -1,7 +1,8 @@
 //! Microseconds an operation of the dynamic structures, for growing sizes, best of three.
 //!
-//! `cargo bench --bench dynamic`. The column of a structure of O(log n) should grow by a constant from
-//! line to line, apart from what the caches do; the last one, of O(log² n), by a little more each time.
+//! `cargo bench --bench dynamic`. The column of a structure of O(log n) should grow by a constant
+//! from line to line, apart from what the caches do; the last one, of O(log² n), by a little more
+//! each time.
 
 use std::hint::black_box;
 use std::time::Instant;

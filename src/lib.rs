@@ -19,22 +19,22 @@
 //! |---|---|
 //! | read or write a mesh file | [`Mesh`], [`mesh`] |
 //! | convert arrays that I have in memory | [`Mesh::from_triangles`], [`Converter`] |
-//! | see what is wrong with a mesh | [`Survey::new`] |
-//! | say what a good quad is | [`Converter::cost`], [`Cost`] |
+//! | find every law that a mesh breaks | [`Survey::new`] |
+//! | define what a good quad is | [`Converter::cost`], [`Cost`] |
 //! | keep some edges | [`Converter::keep`], [`quadrangulation::Keep`] |
 //! | convert surfaces with boundary | [`Converter::open`] |
 //! | solve a minimum-cost perfect matching | [`matching::weighted`] |
 //! | choose how triangles are paired | [`Converter::algorithm`], [`pairing`] |
 //! | write a pairing algorithm | [`DualGraph`], [`Matching`], [`make_maximum`], `examples/own_pairing.rs` |
-//! | check somebody else's quads | [`check`] |
-//! | reduce a mesh to so many vertices, with the same topology | [`simplify`] |
-//! | contract edges until none can be contracted | [`irreducible`] |
+//! | check quads of any origin | [`check`] |
+//! | reduce a mesh to a number of vertices, with the same topology | [`simplify`] |
+//! | contract edges until the triangulation is irreducible | [`irreducible`] |
 //!
 //! # Features
 //!
 //! * `files` (default): mesh files. Without it and `threads` the crate has three dependencies.
-//! * `threads` (default): building, costs and checks on all threads of rayon's current pool. Results
-//!   are the same on any number of threads, and without the feature.
+//! * `threads` (default): building, costs and checks on all threads of rayon's current pool.
+//!   Results are the same on any number of threads, and without the feature.
 //! * `serde`: ids, names, counts and reports as serde data.
 //!
 //! # Modules
@@ -47,7 +47,7 @@
 //! | module | content | source |
 //! |---|---|---|
 //! | [`atomic_file`] | files that appear only when they are complete | |
-//! | [`mesh`] | OBJ, PLY, OFF, STL to [`Mesh`] and back; nothing is judged | |
+//! | [`mesh`] | OBJ, PLY, OFF, STL to [`Mesh`] and back, unchecked | |
 //! | [`random`], [`clock`] | seeded random numbers; seconds, scripted in tests | |
 //! | [`triangulation`] | half-edges, and the laws that make a mesh a triangulation | section 2 |
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
@@ -56,7 +56,7 @@
 //! | [`irreducible`] | contraction until no edge can be contracted: RS, Schipper's, brute force | |
 //! | [`pairing`] | initial pairings: SG, PS, DS, GW, LRS, two of ours | section 3 |
 //! | [`quadrangulation`] | the quads, and a check independent of their construction | section 2 |
-//! | [`simplify`] | exactly as many vertices as asked for, same topology | section 4 |
+//! | [`simplify`] | an exact number of vertices, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, counted and timed | section 4 |
 //!
 //! A module uses only modules above it. One type per stage is the proof that the stage before is
@@ -85,6 +85,10 @@ pub mod simplify;
 pub mod triangulation;
 mod vector;
 
+#[cfg(all(doctest, feature = "files"))]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum};
 pub use convert::{ConvertError, Converted, Converter, Progress, Quadrangulated, Report, Stage};
 pub use dual::{DualGraph, Matching, PerfectMatching};
@@ -94,7 +98,7 @@ pub use mesh::MeshError;
 pub use names::UnknownNameError;
 pub use pairing::{Algorithm, Expansion};
 pub use quadrangulation::{
-    CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, ShapeCost, check,
-    check_retriangulation,
+    AttributeLosses, CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, ShapeCost, check,
+    check_retriangulation, common_edges,
 };
 pub use triangulation::{Element, Law, Survey, Triangulation, Violation};

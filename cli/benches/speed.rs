@@ -1,13 +1,13 @@
-//! Seconds and memory of whole conversions, each in a process of its own, best of three; and of making
-//! the same meshes irreducible.
+//! Seconds and memory of whole conversions, each in a process of its own, best of three; and of
+//! making the same meshes irreducible.
 //!
 //! `cargo bench --bench speed` (or `make bench`) uses meshes that it makes itself; the environment
-//! variable `MESHES` names others, separated by white space. If `LEMON` names a program that is called
-//! as `LEMON VARIANT FILE.dual` and prints JSON with `algo_s` (the seconds that LEMON's maximum
-//! matching takes on the dual graph), the least of its variants' seconds is the yardstick L, and times
-//! are given as multiples of it too. On small meshes petgraph's maximum matching of the dual graph is
-//! timed beside ours. A `.dual` file holds 32-bit integers: the number of nodes, the
-//! number of edges, and both ends of each edge.
+//! variable `MESHES` names others, separated by white space. If `LEMON` names a program that is
+//! called as `LEMON VARIANT FILE.dual` and prints JSON with `algo_s` (the seconds that LEMON's
+//! maximum matching takes on the dual graph), the least of its variants' seconds is the yardstick
+//! L, and times are given as multiples of it too. On small meshes petgraph's maximum matching of
+//! the dual graph is timed beside ours. A `.dual` file holds 32-bit integers: the number of nodes,
+//! the number of edges, and both ends of each edge.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -65,8 +65,8 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// Irregular spheres as from a scanner, small and large, a regular torus, and a larger torus, as OBJ
-/// files.
+/// Irregular spheres as from a scanner, small and large, a regular torus, and a larger torus, as
+/// OBJ files.
 fn make_meshes(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut random = Random::stream(0, &["bench"]);
     let [small, large] = [70, 354]

@@ -8,31 +8,31 @@ use triquad::{ConvertError, DefaultCost, ShapeCost};
 
 use crate::failure::Failure;
 
-/// What the best pairing is the best of.
+/// The criteria of the best pairing.
 #[derive(clap::Args, Clone)]
 #[command(next_help_heading = "What best aims at")]
 pub struct AimOptions {
-    /// What best minimises the sum of: default (shape, folded quads and sharp edges weighed), shape
-    /// (10000 times 1 less the scaled Jacobian, rounded), or FILE with one integer an edge, edges in
-    /// the order in which the faces first pass them
+    /// Cost of a quad, of which best minimises the sum: default (shape, folds and sharp edges),
+    /// shape (10000 times 1 less the scaled Jacobian, rounded), or FILE: one integer an edge, in
+    /// the order in which the faces first pass the edges
     #[arg(long, default_value = "default", value_name = "default|shape|FILE")]
     cost: String,
-    /// Keep edges at which the surface bends by more than DEG degrees: no quad lies across them. As
-    /// few as can be are given up so that all triangles are paired, provably
+    /// Keep edges at which the surface bends by more than DEG degrees: no quad lies across them. If
+    /// not all can be kept, the fewest possible are given up, provably
     #[arg(long, value_name = "DEG", value_parser = degrees)]
     keep_sharp: Option<f64>,
     /// Keep the edges listed in FILE: two vertex numbers a line, counted from 1
     #[arg(long, value_name = "FILE")]
     keep_edges: Option<PathBuf>,
-    /// Keep edges between faces of other texture coordinates, objects, groups or materials
+    /// Keep edges at which texture coordinates, objects, groups or materials change
     #[arg(long)]
     keep_seams: bool,
-    /// Give up none of the edges to keep: the fewest triangles stay instead, provably
+    /// Give up none of the edges to keep; leave the fewest triangles instead, provably
     #[arg(long)]
     strict: bool,
-    /// Let triangles stay wherever a pair would cost more than twice PRICE, at 0.35 if no PRICE is
-    /// given. 1 is the price of a flat quad with a corner of 180 degrees; with --cost FILE, PRICE is
-    /// in the unit of FILE
+    /// Leave a triangle wherever every pair would cost more than twice PRICE (0.35 if no PRICE is
+    /// given). PRICE 1 stands for a loss of 1 in scaled Jacobian, from a rectangle to a corner of
+    /// 180 degrees. With --cost FILE the unit is that of FILE
     #[arg(long, value_name = "PRICE", num_args = 0..=1, default_missing_value = "0.35")]
     #[arg(value_parser = price, allow_negative_numbers = true)]
     quad_dominant: Option<f64>,

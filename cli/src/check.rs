@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use triquad::pairing::Proof;
 use triquad::quadrangulation::check_mixed;
 use triquad::triangulation::Surface;
-use triquad::{CheckReport, DualGraph, Matching, Mesh, Mismatch, check, check_retriangulation};
+use triquad::{
+    CheckReport, DualGraph, Matching, Mesh, Mismatch, check, check_retriangulation, common_edges,
+};
 
 use crate::failure::Failure;
 use crate::input::{self, Built, Repairs};
@@ -14,10 +16,10 @@ use crate::{aims, certificate, stdio};
 
 /// Check that a quad mesh is a quadrangulation of a triangle mesh
 ///
-/// From the two files alone: the same vertices, every quad the union of two triangles across their
-/// common edge, every triangle in exactly one quad, closed, oriented, one fan round every vertex,
-/// the same Euler characteristic. Of surfaces with boundary and one-sided ones triangles may be left
-/// over, each a face of its own. Exit code 1 and one line if not.
+/// Checks from the two files alone: same vertices, every quad the union of two triangles across
+/// their common edge, every triangle in exactly one quad, closed, oriented, one fan round every
+/// vertex, same Euler characteristic. On surfaces with boundary and one-sided ones triangles may be
+/// left over, each a face of its own. Exit code 1 and one line if a check fails.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad check quads.obj --against bunny.obj\n  \
                         triquad check quads.obj --against bunny.obj --certificate proof.txt")]
@@ -28,16 +30,16 @@ pub struct Arguments {
     /// The triangle mesh that it was made from
     #[arg(long, value_name = "TRIANGLES")]
     against: PathBuf,
-    /// The triangulation whose triangles were paired, as convert --write-triangulation writes it,
-    /// if it is not TRIANGLES: the quads are checked against it, and it must triangulate the
-    /// surface of TRIANGLES on the same vertices
+    /// The triangulation whose triangles were paired, if it is not TRIANGLES, from convert
+    /// --write-triangulation. The quads are checked against it; it must triangulate the surface of
+    /// TRIANGLES on the same vertices
     #[arg(long, value_name = "K", conflicts_with_all = ["open", "certificate"])]
     triangulation: Option<PathBuf>,
     /// Allow triangles that are left over, on closed surfaces, too
     #[arg(long)]
     open: bool,
-    /// Check a proof that convert --certificate has written: that no other pairing is better by
-    /// what the file states. Costs, edges to keep and the bound are computed anew
+    /// Verify the proof of convert --certificate that no other pairing is better under the aims in
+    /// the file. Costs, edges to keep and the bound are computed anew
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// The costs, one integer an edge, if the certificate is about a file of costs
@@ -49,59 +51,96 @@ pub struct Arguments {
 
 /// Reads both meshes and compares them.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let inputs =
+        [Some(&arguments.quads), Some(&arguments.against), arguments.triangulation.as_ref()];
+    if inputs.into_iter().flatten().filter(|path| path.as_os_str() == "-").count() > 1 {
+        let problem = "standard input can be one of the meshes only; give the others as files";
+        return Err(Failure::bad(format!("-: {problem}")));
+    }
     let status = StatusLine::new("reading the meshes");
-    let quads = input::read(&arguments.quads)?;
+    let quads = input::read(&arguments.quads, arguments.repairs.reading)?;
     let (triangles, surface) = input::read_surface(&arguments.against, arguments.repairs)?;
-    let proved = match &arguments.certificate {
+    let statement = match &arguments.certificate {
         Some(path) => Some(Statement::read(path, arguments.cost.as_deref())?),
         None => None,
     };
+    let mut shared = String::new();
     let paired = match &arguments.triangulation {
-        Some(path) => read_paired(path, arguments, &triangles)?,
+        Some(path) => {
+            let paired = read_paired(path, arguments, &triangles, &surface)?;
+            let (common, all) = common_edges(&paired, &triangles);
+            let against = arguments.against.display();
+            shared = format!("; {common} of the {all} edges of the triangulation are in {against}");
+            paired
+        }
         None => triangles,
     };
     status.say("checking");
-    let may_leave = arguments.open || proved.as_ref().is_some_and(Statement::may_leave);
-    let is_closed = matches!(surface, Built::Closed(_));
-    let no = |mismatch: &Mismatch, quads: &Mesh| {
-        Failure::no(format!("{}: {}", arguments.quads.display(), explain(mismatch, quads)))
-    };
-    let is_plain = is_closed && !may_leave;
-    let mixed = match is_plain && proved.is_none() {
-        true => None,
-        false => Some(check_mixed(&quads, &paired).map_err(|mismatch| no(&mismatch, &quads))?),
-    };
-    let report = match &mixed {
-        Some(mixed) if !is_plain => mixed.report,
-        _ => check(&quads, &paired).map_err(|mismatch| no(&mismatch, &quads))?,
-    };
-    let proof = match (&proved, &mixed) {
-        (Some(statement), Some(mixed)) => match &surface {
-            Built::Closed(surface) => statement.verify(surface, &paired, &mixed.matching)?,
-            Built::Open(surface) => statement.verify(surface, &paired, &mixed.matching)?,
+    let may_leave = arguments.open || statement.as_ref().is_some_and(Statement::may_leave);
+    let all_quads = matches!(surface, Built::Closed(_)) && !may_leave;
+    let (report, matching) = compare(&quads, &paired, all_quads, statement.is_some())
+        .map_err(|mismatch| failure(arguments, &surface, &quads, &mismatch))?;
+    let proof = match (&statement, &matching) {
+        (Some(statement), Some(matching)) => match &surface {
+            Built::Closed(surface) => statement.verify(surface, &paired, matching)?,
+            Built::Open(surface, _) => statement.verify(surface, &paired, matching)?,
         },
         _ => String::new(),
     };
     drop(status);
-    stdio::summarise(&(describe(arguments, &report) + &proof))
+    stdio::summarise(&stdio::one_line(&(describe(arguments, &report) + &shared + &proof)))
 }
 
-/// Reads the triangulation whose triangles were paired.
-fn read_paired(path: &Path, arguments: &Arguments, given: &Mesh) -> Result<Mesh, Failure> {
+/// Reads the triangulation whose triangles were paired; that of a closed surface.
+fn read_paired(
+    path: &Path,
+    arguments: &Arguments,
+    given: &Mesh,
+    surface: &Built,
+) -> Result<Mesh, Failure> {
+    if let Built::Open(_, survey) = surface {
+        return Err(input::refusal(&arguments.against, survey, None, None));
+    }
     let paired = input::read_triangulation(path, arguments.repairs)?;
     check_retriangulation(&paired, given)
         .map_err(|mismatch| Failure::no(format!("{}: {mismatch}", path.display())))?;
     Ok(paired)
 }
 
-/// Words a mismatch; says so if the face in question is a triangle.
-fn explain(mismatch: &Mismatch, quads: &Mesh) -> String {
-    match mismatch {
-        Mismatch::NotAQuad(face) if quads.faces().get(*face).is_some_and(|f| f.len() == 3) => {
-            format!("{mismatch}; --open allows triangles that are left over")
+/// Compares the meshes; returns the counts and, where they are found or needed, the pairs.
+fn compare(
+    quads: &Mesh,
+    triangles: &Mesh,
+    all_quads: bool,
+    needs_pairs: bool,
+) -> Result<(CheckReport, Option<Matching>), Mismatch> {
+    let report = if all_quads { Some(check(quads, triangles)?) } else { None };
+    let mixed = match report.is_none() || needs_pairs {
+        true => Some(check_mixed(quads, triangles)?),
+        false => None,
+    };
+    let counted = mixed.as_ref().map(|mixed| mixed.report);
+    let report = report.or(counted).expect("one check or the other");
+    Ok((report, mixed.map(|mixed| mixed.matching)))
+}
+
+/// Words a mismatch.
+fn failure(arguments: &Arguments, surface: &Built, quads: &Mesh, mismatch: &Mismatch) -> Failure {
+    let is_triangle = |face: usize| quads.faces().get(face).is_some_and(|face| face.len() == 3);
+    let remedy = match (mismatch, surface) {
+        // On other vertices, QUADS was not made from TRIANGLES, and --open not meant.
+        (Mismatch::VertexCount { .. } | Mismatch::Moved(_), Built::Open(_, survey))
+            if !arguments.open =>
+        {
+            let remedy = Some("--open allows it");
+            return input::refusal(&arguments.against, survey, remedy, None);
         }
-        _ => mismatch.to_string(),
-    }
+        (Mismatch::NotAQuad(face), _) if is_triangle(*face) => {
+            "; --open allows triangles that are left over"
+        }
+        _ => "",
+    };
+    Failure::no(format!("{}: {mismatch}{remedy}", arguments.quads.display()))
 }
 
 /// Writes what was found to be right.

@@ -11,11 +11,11 @@ use crate::{report, stdio};
 
 /// Judge every claim of the two papers on the records of a results folder
 ///
-/// A line a claim: verdict, name, our number, the paper's; why, where it is not reproduced. Counts
-/// of verdicts at the end. Claims that differ are no failure.
+/// Prints a line for each claim: verdict, name, our number, the paper's, and the reason if it is
+/// not reproduced. Counts of verdicts follow. Claims that differ are no failure.
 ///
-/// With --baseline: the tables instead, number by number: ours, the baseline's, their ratio and 95 %
-/// of its bootstrap where something was repeated. They are written to DIR/baseline too.
+/// With --baseline it prints the tables instead, number by number: ours, the baseline's, their
+/// ratio, and its 95 % interval where runs were repeated. They are written to DIR/baseline, too.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
                         triquad compare results/laptop\n  \
@@ -25,7 +25,7 @@ pub struct Arguments {
     /// The results folder
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// What to compare the tables with: 'paper', or another results folder
+    /// The baseline of the tables: 'paper', or another results folder
     #[arg(long, value_name = "paper|DIR")]
     baseline: Option<PathBuf>,
 }

@@ -21,9 +21,9 @@ use crate::{certificate, comparison, machine, stdio};
 /// Convert a triangle mesh into quads on the same vertices
 ///
 /// Every quad is the union of two triangles of the input (of another triangulation for lrs, which
-/// flips edges); no vertex is added, removed or moved, and the result is checked before it is
-/// written. On a closed surface no triangle is left over. Texture coordinates, normals, groups and materials of an OBJ file are carried over to
-/// OBJ output.
+/// flips edges). No vertex is added, removed or moved. On a closed surface no triangle is left
+/// over. The result is checked before it is written. Texture coordinates, normals, groups and
+/// materials of an OBJ file are carried over to OBJ output.
 #[derive(clap::Args, Clone)]
 #[command(after_help = "Examples:\n  triquad convert bunny.ply.gz -o quads.obj\n  \
                         triquad convert scan.obj --algorithm ps --seed 7 --stats -\n  \
@@ -36,25 +36,24 @@ pub struct Arguments {
     input: PathBuf,
     #[arg(short, long, value_name = "OUT", help = may_write("Where the quads go"))]
     output: Option<PathBuf>,
-    /// How triangles are paired: best (the best-shaped quads, provably), tq (fastest, without
-    /// regard to shape); of the papers, sg (simple greedy), ps (Pulli-Segal greedy), ds
-    /// (Diks-Stanczyk), gw (Gawrychowski-Wasylkiewicz, the faster of the two); lrs (contraction and
-    /// expansion) flips edges
+    /// Initial pairing: best (best-shaped quads, provably) or tq (for speed, without regard to
+    /// shape). Of the literature: sg (simple greedy), ps (Pulli-Segal), ds (Diks-Stanczyk), gw
+    /// (Gawrychowski-Wasylkiewicz), lrs (contraction and expansion; flips edges)
     #[arg(long, default_value = "best", value_name = "NAME")]
     #[arg(value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
-    /// How lrs expands: printed (as published) or few-flips (ours: looks for another pairing before
-    /// it flips an edge)
+    /// Expansion of lrs: printed (as published) or few-flips (ours: flips an edge only if a search
+    /// for another pairing fails)
     #[arg(long, default_value = "printed", value_name = "NAME")]
     #[arg(value_parser = one_of(Expansion::ALL, Expansion::id))]
     lrs_variant: Expansion,
-    /// The order in which lrs tests the edges at a vertex: stack (new ones first, fewer edges are
+    /// Order in which lrs tests the edges at a vertex: stack (new ones first; fewer edges are
     /// flipped) or queue (as printed)
     #[arg(long, default_value = LRS_ORDER.id(), value_name = "NAME")]
     #[arg(value_parser = one_of(Discipline::ALL, Discipline::id))]
     lrs_order: Discipline,
-    /// How the pairing is made perfect: local (ours), tarjan (as published, slow on purpose) or
-    /// rebuild (as tarjan, the graph set up anew for each path)
+    /// Search for augmenting paths: local (ours), tarjan (as published, slow on purpose) or rebuild
+    /// (as tarjan, with the graph set up anew for each path)
     #[arg(long, default_value = "local", value_name = "NAME")]
     #[arg(value_parser = one_of(Augmentation::ALL, Augmentation::id))]
     augmentation: Augmentation,
@@ -65,17 +64,17 @@ pub struct Arguments {
     /// Write counts and times as JSON to FILE, '-' for standard output
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
-    /// Give up after N augmenting paths, for estimates: nothing but counts and times comes of it
+    /// Stop after N augmenting paths and print counts and times only, for estimates
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     #[arg(conflicts_with_all = ["output", "write_triangulation"])]
     stop_after_paths: Option<u64>,
-    /// Write the triangulation whose triangles were paired: that of the input, but for lrs
+    /// Write the triangulation whose triangles were paired; differs from the input for lrs only
     #[arg(long, value_name = "FILE")]
     write_triangulation: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
-    /// Take surfaces with boundary and one-sided ones: the fewest triangles are left over, provably,
-    /// and written as triangles. For best, tq, ps and sg
+    /// Accept surfaces with boundary and one-sided ones. The fewest triangles are left over,
+    /// provably, and written as triangles. For best, tq, ps and sg
     #[arg(long)]
     open: bool,
     #[command(flatten)]
@@ -86,7 +85,7 @@ pub struct Arguments {
     /// Write the edges to keep that were given up: two vertex numbers a line
     #[arg(long, value_name = "FILE")]
     given_up: Option<PathBuf>,
-    /// Write nothing, but print a table of all algorithms with the quality and the time of each
+    /// Print a table of all algorithms with the quality and the time of each; write no mesh
     #[arg(long, conflicts_with_all = [
         "output", "stats", "write_triangulation", "certificate", "given_up", "stop_after_paths",
         "algorithm",
@@ -108,6 +107,7 @@ impl Arguments {
     /// Returns a converter with all options but the algorithm and the aims of best.
     fn converter<'a>(&self, progress: &'a mut StatusLine) -> Converter<'a> {
         Converter::new()
+            .lrs_order(self.lrs_order)
             .augmentation(self.augmentation)
             .seed(self.seed)
             .orient(self.repairs.orient)
@@ -164,11 +164,11 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         given_up: arguments.given_up.as_deref(),
     })?;
     let aims = arguments.aims.read()?;
-    let (mesh, read_seconds) = clock.time(|| input::read(&arguments.input));
+    let reading = arguments.repairs.reading;
+    let (mesh, read_seconds) = clock.time(|| input::read(&arguments.input, reading));
     let mut mesh = mesh?;
-    if arguments.repairs.triangulate {
-        mesh.triangulate();
-    }
+    input::triangulate(&arguments.input, &mut mesh, arguments.repairs)?;
+    let unknown_lines = mesh.unknown_lines().map(String::from);
     if arguments.compare {
         return compare(arguments, &mesh, &aims, status);
     }
@@ -176,7 +176,6 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     let converted = arguments
         .converter(&mut status)
         .algorithm(arguments.algorithm())
-        .lrs_order(arguments.lrs_order)
         .aims(aims.aims.clone())
         .keep_proof(arguments.certificate.is_some())
         .run(mesh);
@@ -193,9 +192,12 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         Ok(quads) => quads,
         Err(ConvertError::Stopped(report)) => {
             drop(status);
-            return targets.finish(&stats(&report, 0.0, &[]), &[], &report.to_string());
+            let stats = stats(&report, 0.0, &[]);
+            return targets.finish_without_mesh(&stats, &[], &report.to_string());
         }
-        Err(error) => return Err(conversion_failure(arguments, &aims, &error)),
+        Err(error) => {
+            return Err(conversion_failure(arguments, &aims, &error, unknown_lines.as_deref()));
+        }
     };
     status.say("writing the quads");
     let (written, write_seconds) = clock.time(|| targets.write_mesh(quads.mesh()));
@@ -205,14 +207,23 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     }
     targets.write_given_up(quads.given_up())?;
     let report = quads.report().clone();
-    let left_out = quads.mesh().left_out().to_vec();
+    let (mut left_out, mut losses) = (quads.mesh().left_out().to_vec(), quads.losses().notes());
+    if targets.drops_attributes() {
+        left_out = input::left_out_of_faces(quads.mesh());
+        losses.clear();
+    }
     if arguments.write_triangulation.is_some() {
         status.say("writing the triangles");
         targets.write_triangles(&quads.into_triangle_mesh())?;
     }
     drop(status);
-    let stats = stats(&report, write_seconds, &left_out);
-    targets.finish(&stats, &left_out, &report.to_string())
+    let all_left_out = [&left_out[..], &losses].concat();
+    let stats = stats(&report, write_seconds, &all_left_out);
+    let mut summary = report.to_string();
+    if !losses.is_empty() {
+        summary = format!("{summary}; lost: {}", losses.join(", "));
+    }
+    targets.finish(&stats, &left_out, &summary)
 }
 
 /// Converts by every algorithm and prints a table.
@@ -235,14 +246,21 @@ fn compare(
         match converter.run(mesh) {
             Ok(converted) => table.add(converted),
             Err(ConvertError::NeedsClosed(_)) => table.skip(named),
-            Err(error) => return Err(conversion_failure(arguments, aims, &error)),
+            Err(error) => {
+                return Err(conversion_failure(arguments, aims, &error, mesh.unknown_lines()));
+            }
         }
     }
     drop(status);
     stdio::say(&table.to_string())
 }
 
-fn conversion_failure(arguments: &Arguments, aims: &ReadAims, error: &ConvertError) -> Failure {
+fn conversion_failure(
+    arguments: &Arguments,
+    aims: &ReadAims,
+    error: &ConvertError,
+    unknown_lines: Option<&str>,
+) -> Failure {
     let input = &arguments.input;
     if let Some(failure) = aims.failure(input, error) {
         return failure;
@@ -251,7 +269,7 @@ fn conversion_failure(arguments: &Arguments, aims: &ReadAims, error: &ConvertErr
         ConvertError::Refused(survey) => {
             let opens = !arguments.open && survey.is_open_surface(arguments.repairs.orient);
             let remedy = opens.then_some("--open converts it and leaves the fewest triangles");
-            input::refusal(input, survey, remedy)
+            input::refusal(input, survey, remedy, unknown_lines)
         }
         ConvertError::NeedsClosed(_) | ConvertError::NeedsBest { .. } => {
             Failure::bad(format!("{}: {error}", input.display()))

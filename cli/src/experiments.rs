@@ -15,10 +15,10 @@ use crate::stdio;
 /// The runs to do.
 #[derive(clap::Args)]
 pub struct Selection {
-    /// What to run
+    /// The experiment files
     #[arg(value_name = "EXPERIMENT.toml", required = true)]
     files: Vec<PathBuf>,
-    /// How large the papers' meshes are made: full, small (a twentieth) or demo (a hundredth)
+    /// Size of the papers' meshes: full, small (a twentieth) or demo (a hundredth)
     #[arg(long, default_value = "full", value_name = "SCALE")]
     #[arg(value_parser = one_of(Scale::ALL, Scale::id))]
     scale: Scale,
@@ -26,7 +26,7 @@ pub struct Selection {
     /// …), others under the names of their files. May be given more than once
     #[arg(long, value_name = "DIR")]
     data: Vec<PathBuf>,
-    /// Only the I-th of N parts, of which another machine may take another
+    /// Do the I-th of N parts only; other machines do the others
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     shard: Option<(usize, usize)>,
     /// Seconds after which a run is stopped, instead of the limit in the experiment file

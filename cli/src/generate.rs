@@ -7,7 +7,9 @@ use triquad::clock::{Clock, SystemClock};
 use triquad::mesh::Output;
 use triquad::simplify::Shape;
 use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
-use triquad_lab::meshes::{BoxShape, Cache, GenerateError, PaperBox, Recipe, Walls};
+use triquad_lab::meshes::{
+    BoxShape, Cache, GenerateError, ImpossiblePaperBox, PaperBox, Recipe, Walls,
+};
 
 use crate::failure::Failure;
 use crate::formats::writes;
@@ -15,8 +17,7 @@ use crate::names::one_of;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 
-/// Make a mesh of chosen size and genus: a box with shafts, a stand-in for a scan, one of the
-/// papers'
+/// Make a mesh of chosen size and genus
 ///
 /// The same arguments make the same bytes on every machine.
 #[derive(Args)]
@@ -53,7 +54,7 @@ struct BoxArguments {
     /// Shafts that go through: the genus
     #[arg(long, value_name = "H", default_value_t = 0)]
     holes: u32,
-    /// Taken for the sake of uniformity: nothing about a box is random
+    /// No effect: nothing about a box is random
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
     #[command(flatten)]
@@ -79,8 +80,8 @@ struct PaperBoxArguments {
     /// Shafts that go through: the genus
     #[arg(long, value_name = "H", default_value_t = 0)]
     holes: u32,
-    /// How the diagonals of the four walls of a shaft lie: alternating, equal, paired (opposite
-    /// walls parallel) or drawn (for each wall, by --seed)
+    /// Diagonals of the four walls of a shaft: alternating, equal, paired (parallel in opposite
+    /// walls) or drawn (for each wall, by --seed)
     #[arg(long, default_value = "alternating", value_name = "NAME")]
     #[arg(value_parser = one_of(Walls::ALL, Walls::id))]
     walls: Walls,
@@ -93,7 +94,8 @@ struct PaperBoxArguments {
 
 /// An organic surface with the irregular connectivity of a simplified scan
 ///
-/// A smooth random surface of at least three times as many vertices, simplified. Kept in the cache.
+/// Simplifies a smooth random surface of at least three times as many vertices. The mesh is kept in
+/// the cache.
 #[derive(Args)]
 #[command(after_help = "Example: triquad generate stand-in --vertices 20000 --genus 5 -o blob.obj")]
 struct StandInArguments {
@@ -114,16 +116,17 @@ struct StandInArguments {
 
 /// A mesh with the vertices, edges, triangles and genus of one of the papers' meshes
 ///
-/// A and B are the boxes of Table 4.2 of the comparison paper and their simplifications; ir-B, ir-C
-/// and ir-D those of Tables 3 to 5 of the paper on irreducible triangulations. Scans are stand-ins:
-/// the numbers are those of the scan, the shape is not. What is simplified is kept in the cache.
+/// A and B are the boxes of Table 4.2 of the comparison paper and their simplifications. ir-B, ir-C
+/// and ir-D are those of Tables 3 to 5 of the paper on irreducible triangulations. Scans are
+/// stand-ins: they have the scan's counts and genus, not its shape. Simplified meshes are kept in
+/// the cache.
 #[derive(Args)]
 #[command(after_help = "Example: triquad generate paper ir-B4 -o ir-b4.ply")]
 struct PaperArguments {
     /// The mesh
     #[arg(value_name = "NAME", value_parser = one_of(paper::ALL, |mesh| mesh.name))]
     mesh: PaperMesh,
-    /// How large: full, small (a twentieth) or demo (a hundredth)
+    /// Size: full, small (a twentieth) or demo (a hundredth)
     #[arg(long, default_value = "full", value_name = "SCALE")]
     #[arg(value_parser = one_of(Scale::ALL, Scale::id))]
     scale: Scale,
@@ -142,7 +145,7 @@ struct Target {
 /// The option that names the cache.
 #[derive(Args)]
 pub struct CacheOption {
-    /// Where meshes are kept that take long to make [default: 'triquad' in the user's folder for
+    /// Folder for meshes that take long to make [default: 'triquad' in the user's folder for
     /// caches]
     #[arg(long, value_name = "DIR", env = "TRIQUAD_CACHE")]
     cache: Option<PathBuf>,
@@ -214,7 +217,11 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
 fn failure(recipe: &Recipe, error: &GenerateError) -> Failure {
     let remedy = match error {
         GenerateError::Box(_) => "ask for another number of vertices",
-        GenerateError::PaperBox(_) => "ask for other numbers of shafts and holes, or another depth",
+        GenerateError::PaperBox(ImpossiblePaperBox::NoDepth) => "ask for a depth of 1 or more",
+        GenerateError::PaperBox(ImpossiblePaperBox::TooManyHoles { .. }) => {
+            "ask for fewer holes or more shafts"
+        }
+        GenerateError::PaperBox(_) => "ask for fewer shafts or less depth",
         GenerateError::TooLarge { .. } => "ask for fewer vertices or a smaller genus",
         GenerateError::Simplify(_) => "ask for more vertices",
         GenerateError::Cache { .. } => "check its permissions, or name another folder with --cache",

@@ -13,11 +13,10 @@ use crate::failure::Failure;
 use crate::names::one_of;
 use crate::{report, stdio};
 
-/// Take results measured elsewhere into a results folder
+/// Import results measured elsewhere into a results folder
 ///
-/// The file needs a column for the mesh and one with a number, under the names of runs.csv or
-/// mapped to them; all else has defaults. The tables, plots and the page of the folder are written
-/// anew.
+/// The file needs a column for the mesh and one with a number, named as in runs.csv or mapped to
+/// it; the rest has defaults. Tables, plots and page of the folder are rebuilt.
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad import mine.csv --map \"graph=mesh,time=total_seconds\" \
                         --algorithm mine --out results/mine")]
@@ -25,20 +24,20 @@ pub struct Arguments {
     /// Comma-separated values, names in the first line; '-' for standard input
     #[arg(value_name = "FILE.csv")]
     file: PathBuf,
-    /// Names in the file and in runs.csv; '-' leaves a column out. May be given more than once
+    /// Names in the file, and in runs.csv; '-' leaves a column out. May be given more than once
     #[arg(long, value_name = "THEIRS=OURS,…", value_delimiter = ',', value_parser = parse_mapping)]
     map: Vec<(String, String)>,
     /// Algorithm of all rows: one of ours, or a name of your own
     #[arg(long, value_name = "NAME")]
     algorithm: String,
-    /// What it makes: convert (quads) or irreducible. If not given, the columns decide
+    /// Task of the algorithm: convert (quads) or irreducible [default: by the columns]
     #[arg(long, value_name = "TASK", value_parser = one_of(Task::ALL, Task::id))]
     task: Option<Task>,
-    /// How large the papers' meshes were
+    /// Size of the papers' meshes in the file
     #[arg(long, default_value = "full", value_name = "SCALE")]
     #[arg(value_parser = one_of(Scale::ALL, Scale::id))]
     scale: Scale,
-    /// Take meshes too that the papers do not have
+    /// Accept meshes that the papers do not have
     #[arg(long)]
     other_meshes: bool,
     /// The results folder

@@ -8,17 +8,21 @@ use triquad::{Law, Mesh, Survey, Triangulation, Violation};
 
 use crate::failure::Failure;
 use crate::formats::reads;
+use crate::input::Reading;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 
-/// Tell what a mesh is: counts, genus, components, and every law that it breaks
+/// Print counts, genus and components of a mesh, and every law that it breaks
 ///
-/// Exit code 2 if the mesh is not a triangulation of closed surfaces; everything is still printed.
+/// Exit code 2 if the mesh is not a triangulation of closed surfaces; all counts are printed
+/// anyway.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad info bunny.obj\n  triquad info scan.stl --json")]
 pub struct Arguments {
     #[arg(value_name = "IN", help = reads("The mesh"))]
     input: PathBuf,
+    #[command(flatten)]
+    reading: Reading,
 }
 
 /// Everything that is printed of a mesh.
@@ -31,6 +35,7 @@ struct Info {
     edges: usize,
     faces: usize,
     triangles: usize,
+    quads: usize,
     euler_characteristic: i64,
     genus: Option<usize>,
     non_orientable_genus: Option<usize>,
@@ -38,10 +43,13 @@ struct Info {
     boundary_loops: usize,
     orientable: bool,
     closed: bool,
+    /// Known where the mesh is not closed.
+    closed_by_welding: Option<bool>,
     /// True if `convert --open` takes the mesh and `convert` alone does not.
     #[serde(skip)]
     is_open_surface: bool,
     violations: Vec<Broken>,
+    left_out: Vec<String>,
 }
 
 /// A broken law with its remedy.
@@ -58,7 +66,7 @@ struct Broken {
 /// Reads the mesh and prints its counts and the laws that it breaks.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let status = StatusLine::new("reading the mesh");
-    let mesh = input::read(&arguments.input)?;
+    let mesh = input::read(&arguments.input, arguments.reading)?;
     status.say("examining the mesh");
     let info = Info::new(arguments.input.display().to_string(), &mesh);
     drop(status);
@@ -84,10 +92,19 @@ const SCHEMA: &str = "triquad-info-1";
 
 impl Info {
     fn new(input: String, mesh: &Mesh) -> Self {
-        match Triangulation::build(mesh) {
+        let mut info = match Triangulation::build(mesh) {
             Ok(triangulation) => Self::from_triangulation(input, &triangulation),
             Err(survey) => Self::from_survey(input, &survey),
+        };
+        info.quads = mesh.faces().iter().filter(|face| face.len() == 4).count();
+        info.left_out = mesh.left_out().to_vec();
+        info.closed_by_welding = (!info.closed).then(|| is_closed_by_welding(mesh));
+        // A surface of larger faces breaks no law of surfaces.
+        let is_surface = info.violations.iter().all(|broken| broken.law == Law::Triangle);
+        if is_surface && mesh.faces().iter().all(|face| face.len() >= 3) {
+            info.violations.clear();
         }
+        info
     }
 
     fn from_triangulation(input: String, triangulation: &Triangulation) -> Self {
@@ -99,6 +116,7 @@ impl Info {
             edges: triangulation.edge_count(),
             faces: triangulation.triangle_count(),
             triangles: triangulation.triangle_count(),
+            quads: 0,
             euler_characteristic: triangulation.euler_characteristic(),
             genus: Some(triangulation.genus()),
             non_orientable_genus: None,
@@ -106,8 +124,10 @@ impl Info {
             boundary_loops: 0,
             orientable: true,
             closed: true,
+            closed_by_welding: None,
             is_open_surface: false,
             violations: Vec::new(),
+            left_out: Vec::new(),
         }
     }
 
@@ -120,6 +140,7 @@ impl Info {
             edges: survey.edges,
             faces: survey.faces,
             triangles: survey.triangles,
+            quads: 0,
             euler_characteristic: survey.euler_characteristic,
             genus: survey.genus(),
             non_orientable_genus: survey.non_orientable_genus(),
@@ -127,10 +148,18 @@ impl Info {
             boundary_loops: survey.boundary_loops,
             orientable: survey.orientable,
             closed: survey.closed,
+            closed_by_welding: None,
             is_open_surface: survey.is_open_surface(false),
             violations: survey.violations.iter().map(Broken::from).collect(),
+            left_out: Vec::new(),
         }
     }
+}
+
+/// Returns whether the mesh is closed once vertices at equal coordinates are one.
+fn is_closed_by_welding(mesh: &Mesh) -> bool {
+    let mut welded = Mesh::new(mesh.positions().to_vec(), mesh.faces().clone());
+    welded.weld(0.0).merged_vertices > 0 && Survey::new(&welded).closed
 }
 
 impl From<&Violation> for Broken {
@@ -150,25 +179,48 @@ fn describe(info: &Info) -> String {
     let genus = info.genus.map(|genus| genus.to_string());
     let yes_no = |yes| String::from(if yes { "yes" } else { "no" });
     let cross_caps = info.non_orientable_genus.map(|genus| genus.to_string());
+    let closed = match info.closed_by_welding {
+        Some(true) => "no, but it is with --weld: vertices are at equal coordinates".into(),
+        _ => yes_no(info.closed),
+    };
     let rows = [
         ("vertices", info.vertices.to_string()),
         ("unreferenced vertices", info.unreferenced_vertices.to_string()),
         ("edges", info.edges.to_string()),
-        ("faces", format!("{} ({} triangles)", info.faces, info.triangles)),
+        ("faces", format!("{} ({})", info.faces, kinds_of_faces(info))),
         ("Euler characteristic", info.euler_characteristic.to_string()),
         ("genus", genus.unwrap_or("none (not a closed, two-sided surface)".into())),
         ("non-orientable genus", cross_caps.unwrap_or_default()),
         ("components", info.components.to_string()),
         ("boundary loops", info.boundary_loops.to_string()),
         ("orientable", yes_no(info.orientable)),
-        ("closed", yes_no(info.closed)),
+        ("closed", closed),
     ];
-    let mut text = info.input.clone();
+    let mut text = stdio::one_line(&info.input);
     for (name, value) in rows.into_iter().filter(|(_, value)| !value.is_empty()) {
         let _ = write!(text, "\n  {name:<21}  {value}");
+    }
+    for what in &info.left_out {
+        let _ = write!(text, "\n  {:<21}  {}", "not read", stdio::one_line(what));
     }
     for Broken { law, remedy, message, .. } in &info.violations {
         let _ = write!(text, "\n  broken: {message} [{law}]\n          {remedy}");
     }
     text
+}
+
+/// Returns the numbers of triangles, quads and larger faces, as far as there are any.
+fn kinds_of_faces(info: &Info) -> String {
+    let others = info.faces - info.triangles - info.quads;
+    let mut kinds = Vec::new();
+    if info.triangles > 0 || info.quads + others == 0 {
+        kinds.push(format!("{} triangles", info.triangles));
+    }
+    if info.quads > 0 {
+        kinds.push(format!("{} quads", info.quads));
+    }
+    if others > 0 {
+        kinds.push(format!("{others} others"));
+    }
+    kinds.join(", ")
 }

@@ -2,12 +2,25 @@
 
 use std::path::Path;
 
-use triquad::mesh::{Format, MeshError};
+use triquad::mesh::{Attributes, Format, MeshError, Reader};
 use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
 
 use crate::failure::{Facts, Failure};
 use crate::stdio;
+
+/// Options of reading a mesh.
+#[derive(clap::Args, Clone, Copy, Default)]
+pub struct Reading {
+    /// Join vertices at equal coordinates, or at most EPS apart; the first of them keeps its place
+    #[arg(long, value_name = "EPS", num_args = 0..=1, default_missing_value = "0")]
+    #[arg(value_parser = distance)]
+    pub weld: Option<f64>,
+    /// Greatest size of an expanded gzip file, such as 40G [default: 256 MiB, or 100 times the size
+    /// of the file if that is more]
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    pub max_expanded: Option<u64>,
+}
 
 /// Options that turn a mesh into a triangulation.
 #[derive(clap::Args, Clone, Copy)]
@@ -15,90 +28,143 @@ pub struct Repairs {
     /// Flip faces until neighbours agree on orientation
     #[arg(long)]
     pub orient: bool,
-    /// Cut faces of four or more corners into triangles first
+    /// Cut faces of four or more corners into triangles first, the best-shaped ones that make no
+    /// edge twice
     #[arg(long)]
     pub triangulate: bool,
+    #[command(flatten)]
+    pub reading: Reading,
 }
 
-/// Reads a mesh.
-pub fn read(path: &Path) -> Result<Mesh, Failure> {
-    Mesh::read(path).map_err(|error| mesh_failure(path, &error))
+/// Parses the distance of `--weld`.
+fn distance(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| format!("'{text}' is not a distance"))?;
+    let is_distance = value >= 0.0 && value.is_finite();
+    is_distance.then_some(value).ok_or_else(|| format!("'{text}' is not a distance from 0 on"))
+}
+
+/// Parses a number of bytes: with K, M, G or T, so many times 1024 bytes and so on.
+fn bytes(text: &str) -> Result<u64, String> {
+    let unit = |c: char| "KMGT".find(c.to_ascii_uppercase()).map(|power| 10 * (power as u32 + 1));
+    let (digits, shift) = match text.chars().last().and_then(unit) {
+        Some(shift) => (&text[..text.len() - 1], shift),
+        None => (text, 0),
+    };
+    let bytes = digits.parse::<u64>().ok().and_then(|count| count.checked_mul(1 << shift));
+    bytes.ok_or_else(|| format!("'{text}' is not a number of bytes, such as 5000000 or 40G"))
+}
+
+/// Reads a mesh, and welds it if requested.
+pub fn read(path: &Path, reading: Reading) -> Result<Mesh, Failure> {
+    let reader = reading.max_expanded.map_or(Reader::new(), |max| Reader::new().max_expanded(max));
+    let mut mesh = reader.read(path).map_err(|error| mesh_failure(path, &error))?;
+    if let Some(distance) = reading.weld {
+        mesh.weld(distance);
+    }
+    Ok(mesh)
 }
 
 /// Prints on standard error the content of the file that is not carried over.
 pub fn tell_left_out(path: &Path, left_out: &[String]) {
-    if !left_out.is_empty() {
-        let what = left_out.join(", ");
+    /// Of more kinds only the number is told.
+    const SHOWN: usize = 20;
+    let mut shown = left_out[..left_out.len().min(SHOWN)].to_vec();
+    if left_out.len() > SHOWN {
+        shown.push(format!("{} more", left_out.len() - SHOWN));
+    }
+    if !shown.is_empty() {
+        let what = shown.join(", ");
         stdio::note(&format!("{}: note: not carried over: {what}", path.display()));
     }
 }
 
-/// Returns the content of `mesh` that a result of positions and triangles alone leaves out.
-pub fn left_out_of_triangles(mesh: &Mesh) -> Vec<String> {
-    let attributes = mesh.attributes().filter(|attributes| !attributes.is_empty());
-    let attributes =
-        attributes.map(|_| "texture coordinates, normals, groups and materials".to_owned());
-    mesh.left_out().iter().cloned().chain(attributes).collect()
+/// Returns the content of `mesh` that a result of positions and faces alone leaves out.
+pub fn left_out_of_faces(mesh: &Mesh) -> Vec<String> {
+    let names = mesh.attributes().map(Attributes::names).unwrap_or_default();
+    mesh.left_out().iter().cloned().chain(names.into_iter().map(String::from)).collect()
 }
 
 /// Reads a mesh that must be a triangulation of closed surfaces, after its repairs.
 pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<Mesh, Failure> {
-    let mut mesh = read(path)?;
+    let mut mesh = read(path, repairs.reading)?;
     build(path, &mut mesh, repairs)?;
     Ok(mesh)
 }
 
 /// Builds the triangulation of a mesh read from `path`, after its repairs.
 pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Failure> {
-    if repairs.triangulate {
-        mesh.triangulate();
-    }
+    triangulate(path, mesh, repairs)?;
     let triangulation = Triangulation::build_oriented(mesh, repairs.orient);
     triangulation.map_err(|survey| {
         let opens = survey.is_open_surface(repairs.orient);
         let remedy = opens.then_some("only 'convert --open' and check take it as it is");
-        refusal(path, &survey, remedy)
+        refusal(path, &survey, remedy, mesh.unknown_lines())
     })
 }
 
 /// A surface with its mesh.
 pub enum Built {
     Closed(Triangulation),
-    /// With boundary, or one-sided.
-    Open(OpenTriangulation),
+    /// With boundary or one-sided, and what makes it so.
+    Open(OpenTriangulation, Box<Survey>),
 }
 
 /// Reads a mesh that must be a triangulation of surfaces, closed or not, after its repairs.
 pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Failure> {
-    let mut mesh = read(path)?;
-    if repairs.triangulate {
-        mesh.triangulate();
-    }
+    let mut mesh = read(path, repairs.reading)?;
+    triangulate(path, &mut mesh, repairs)?;
     let survey = match Triangulation::build_oriented(&mut mesh, repairs.orient) {
         Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
         Err(survey) => survey,
     };
     if !survey.is_open_surface(repairs.orient) {
-        return Err(refusal(path, &survey, None));
+        return Err(refusal(path, &survey, None, mesh.unknown_lines()));
     }
     if repairs.orient {
         survey.orient(&mut mesh);
     }
-    let open = OpenTriangulation::build(&mesh).map_err(|survey| refusal(path, &survey, None))?;
-    Ok((mesh, Built::Open(open)))
+    let open = OpenTriangulation::build(&mesh);
+    let open = open.map_err(|survey| refusal(path, &survey, None, mesh.unknown_lines()))?;
+    Ok((mesh, Built::Open(open, survey)))
+}
+
+/// Cuts polygons into triangles if requested.
+pub fn triangulate(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<(), Failure> {
+    if !repairs.triangulate {
+        return Ok(());
+    }
+    mesh.triangulate().map_err(|error| {
+        let remedy = "the mesh may be sound: cut this face in another program";
+        Failure::bad(format!("{}: {error}; {remedy}", path.display()))
+    })
 }
 
 /// Makes the failure of a file that could not be read or written.
 pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
     let remedy = error.remedy().to_owned();
-    let failure = Failure::bad(format!("{}: {error}; {remedy}", path.display()));
+    let problem = match error {
+        MeshError::Io(error) => system_problem(error),
+        error => error.to_string(),
+    };
+    let failure = Failure::bad(format!("{}: {problem}; {remedy}", path.display()));
     let file = path.display().to_string();
     failure.with(Facts { file, law: None, element: None, count: None, remedy })
 }
 
+/// Returns what an error of the operating system is, without its number.
+pub fn system_problem(error: &std::io::Error) -> String {
+    let text = error.to_string();
+    text.split(" (os error").next().unwrap_or_default().to_owned()
+}
+
 /// Makes the failure of a mesh that is no triangulation: its first broken law, the number of
-/// others, and a second remedy if there is one.
-pub fn refusal(path: &Path, survey: &Survey, other_remedy: Option<&str>) -> Failure {
+/// others, a second remedy if there is one, and the lines of the file that could not be read.
+pub fn refusal(
+    path: &Path,
+    survey: &Survey,
+    other_remedy: Option<&str>,
+    unknown_lines: Option<&str>,
+) -> Failure {
     let first = survey.violations[0];
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
@@ -114,7 +180,9 @@ pub fn refusal(path: &Path, survey: &Survey, other_remedy: Option<&str>) -> Fail
     let remedies = [Some(first.law.remedy()), other_remedy];
     let remedy = remedies.into_iter().flatten().collect::<Vec<_>>().join("; ");
     let file = path.display().to_string();
-    let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}");
+    let unknown = unknown_lines.map(|lines| format!("; not understood: {lines}"));
+    let unknown = unknown.unwrap_or_default();
+    let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}{unknown}");
     let element = Some(first.element.to_string());
     let facts = Facts { file, law: Some(name), element, count: Some(first.count), remedy };
     Failure::bad(message).with(facts)

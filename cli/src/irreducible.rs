@@ -12,11 +12,10 @@ use crate::machine;
 use crate::names::one_of;
 use crate::reduction::{Opened, Options, Sizes};
 
-/// Contract edges of a closed triangle mesh until none can be without changing the surface
+/// Contract edges of a closed triangle mesh until the triangulation is irreducible
 ///
-/// What is left is the tetrahedron for every component without handles, and at most 26 g - 4
-/// vertices for one of genus g. They stay where they are, in the order of the input; nothing else
-/// of the input is kept.
+/// A component of genus 0 ends as a tetrahedron, one of genus g > 0 with at most 26 g - 4 vertices.
+/// These keep their positions and their order; nothing else of the input is kept.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     triquad irreducible torus.obj -o least.obj\n  \
@@ -26,8 +25,8 @@ pub struct Arguments {
     input: PathBuf,
     #[arg(short, long, value_name = "OUT", help = may_write("Where the result goes"))]
     output: Option<PathBuf>,
-    /// How contractible edges are found:
-    /// rs (Ramaswami-Siqueira, each edge tested once), schipper, brute-force
+    /// Search for contractible edges: rs (Ramaswami-Siqueira, each edge tested once), schipper,
+    /// brute-force
     #[arg(long, default_value = "rs", value_name = "NAME")]
     #[arg(value_parser = one_of(Contractor::ALL, Contractor::id))]
     algorithm: Contractor,
@@ -35,7 +34,7 @@ pub struct Arguments {
     #[arg(long, default_value = "file", value_name = "NAME")]
     #[arg(value_parser = one_of(Order::ALL, Order::id))]
     order: Order,
-    /// Seed of brute-force and of --order random; the same seed gives the same bytes
+    /// Seed of schipper, brute-force and --order random; the same seed gives the same bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
     seed: u64,
     /// Refused: only convert takes surfaces with boundary

@@ -55,13 +55,13 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 
 /// All-quadrilateral meshes from triangle meshes of closed surfaces.
 ///
-/// Pairs up edge-adjacent triangles so that none is left over and removes the edge between the two
-/// of each pair: every vertex stays where it is, every other edge stays, and every face is a quad.
-/// That always works on a closed surface (Petersen's theorem).
+/// Pairs up edge-adjacent triangles, none left over, and removes the edge between the two of each
+/// pair. Every vertex and every other edge stays, and every face is a quad. On a closed surface
+/// this is always possible (Petersen's theorem).
 #[derive(Parser)]
 #[command(version, after_help = format!(
-    "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is OBJ on standard input or \
-     output.\nExit codes: 0 done, 1 a check said no, 2 bad input or usage.\n\n\
+    "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is any of them on standard input, \
+     OBJ on standard output.\nExit codes: 0 done, 1 a check failed, 2 bad input or usage.\n\n\
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {
@@ -76,7 +76,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Verb {
-    Convert(convert::Arguments),
+    Convert(Box<convert::Arguments>),
     Irreducible(irreducible::Arguments),
     Check(check::Arguments),
     Info(info::Arguments),
@@ -140,7 +140,8 @@ fn main() -> ExitCode {
         return code;
     }
     clean_up_when_interrupted();
-    let result = match Arguments::try_parse() {
+    let arguments = names::with_weld_values(std::env::args_os());
+    let result = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => {
             stdio::settle(arguments.voice);
             threads::settle(arguments.threads);
@@ -182,9 +183,7 @@ fn run(verb: Verb) -> Result<(), Failure> {
 fn explain_usage(error: &clap::Error) -> ExitCode {
     let without_arguments = error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand;
     if without_arguments || !error.use_stderr() {
-        // A closed pipe is no failure.
-        let _ = error.print();
-        return ExitCode::from(if without_arguments { 2 } else { 0 });
+        return stdio::print_help(error, if without_arguments { 2 } else { 0 });
     }
     let text = error.to_string();
     let first = text.split("\n\n").next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! `triquad completions` and `triquad man`: what the arguments say, in other forms.
+//! `triquad completions` and `triquad man`: the arguments in other forms.
 
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;

@@ -7,17 +7,17 @@ use triquad_lab::experiment::merge::{MergeError, merge};
 use crate::failure::Failure;
 use crate::{bad_runs, stdio};
 
-/// Put the results of several machines together
+/// Join the results of several machines
 ///
-/// Of a run that was done twice the last that ended well counts. Runs that did not end well are
-/// named, and the exit code is 1 then; all rows have been put together all the same.
+/// Of a run that was done twice, the last one that ended well counts. Exit code 1 if a run did not
+/// end well; each is named, and the folders are joined all the same.
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad merge results/part-1 results/part-2 --out results/whole")]
 pub struct Arguments {
     /// Folders with results
     #[arg(value_name = "DIR", required = true)]
     folders: Vec<PathBuf>,
-    /// Where all of them go
+    /// The folder for the joined results
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }

@@ -1,5 +1,7 @@
 //! Algorithms and the like as values of options.
 
+use std::ffi::OsString;
+
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 /// Returns a parser of the names of `all`, which help and errors list.
@@ -11,4 +13,16 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
         let named = all.into_iter().find(|&one| name(one) == given);
         named.expect("one of the possible values")
     })
+}
+
+/// Gives each `--weld` that no number follows the value 0, so that a name may follow it.
+pub fn with_weld_values(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let is_number = |text: &OsString| text.to_str().is_some_and(|text| text.parse::<f64>().is_ok());
+    let mut arguments = arguments.peekable();
+    let mut given = Vec::new();
+    while let Some(argument) = arguments.next() {
+        let is_bare = argument == "--weld" && !arguments.peek().is_some_and(is_number);
+        given.push(if is_bare { "--weld=0".into() } else { argument });
+    }
+    given
 }

@@ -7,11 +7,11 @@ use crate::stdio;
 
 /// Print the papers' tables as comma-separated values
 ///
-/// Without TABLE: which tables there are.
+/// Without TABLE it lists the tables.
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad paper 4.3 > table_4_3.csv")]
 pub struct Arguments {
-    /// Number in the paper, such as 4.3, 4.4(i) or 10, or name of its file
+    /// Number in the paper, such as 4.3, 4.4(i) or 10, or the name of its file
     #[arg(value_name = "TABLE")]
     table: Option<String>,
 }

@@ -9,7 +9,7 @@ use crate::experiments::{Selection, duration, in_words};
 use crate::failure::Failure;
 use crate::stdio;
 
-/// Show what an experiment would run, and how long it may take
+/// List the runs of an experiment, with an estimate of the time
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad plan experiments/comparison.toml --scale small")]
 pub struct Arguments {

@@ -67,14 +67,14 @@ impl<'a> Opened<'a> {
         let status = StatusLine::new("reading the mesh");
         let stats = options.stats.as_deref();
         let targets = Targets::open(Paths { output, stats, ..Paths::of(input) })?;
-        let (mesh, read_seconds) = clock.time(|| input::read(input));
+        let (mesh, read_seconds) = clock.time(|| input::read(input, options.repairs.reading));
         let mut mesh = mesh?;
         status.say("building the triangulation");
         let (built, build_seconds) = clock.time(|| input::build(input, &mut mesh, options.repairs));
         let triangulation = built?;
         Ok(Self {
             size: InputSize::new(&triangulation),
-            left_out: input::left_out_of_triangles(&mesh),
+            left_out: input::left_out_of_faces(&mesh),
             status,
             targets,
             mesh,

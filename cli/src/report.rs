@@ -1,9 +1,11 @@
 //! `triquad report`.
 
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
+use triquad::atomic_file::AtomicFile;
 use triquad_lab::experiment::Results;
-use triquad_lab::report::{self, Extent, Report};
+use triquad_lab::report::{self, Extent, Report, documents};
 
 use crate::failure::Failure;
 use crate::stdio;
@@ -13,11 +15,16 @@ use crate::stdio;
 /// Everything is made of runs.csv, plan.csv, machines.json and pictures/, nothing is run: the same
 /// records give the same files.
 #[derive(clap::Args)]
-#[command(after_help = "Example: triquad report results/laptop")]
+#[command(after_help = "Examples:\n  triquad report results/laptop\n  \
+                        triquad report results/laptop --docs notes.md")]
 pub struct Arguments {
     /// The results folder
     #[arg(value_name = "DIR")]
     folder: PathBuf,
+    /// Fill the tables of Markdown files from the records, too: the lines between
+    /// '<!-- table: 4.3 -->' and '<!-- end -->' are replaced
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    docs: Vec<PathBuf>,
 }
 
 /// Writes the report and names the page, or else the folder.
@@ -25,6 +32,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let folder = &arguments.folder;
     let results = read(folder)?;
     let report = write(folder, &results)?;
+    arguments.docs.iter().try_for_each(|document| fill(document, &results))?;
     stdio::say(&report.page.unwrap_or_else(|| folder.clone()).display().to_string())
 }
 
@@ -53,4 +61,17 @@ pub fn write(folder: &Path, results: &Results) -> Result<Report, Failure> {
     let lost = report.defects.iter().filter(|defect| defect.is_loss());
     lost.for_each(|defect| stdio::complain(&defect.to_string()));
     Ok(report)
+}
+
+/// Fills the tables of a document; leaves a document alone that is as it should be.
+fn fill(path: &Path, results: &Results) -> Result<(), Failure> {
+    let failure = |error: io::Error| Failure::bad(format!("{}: {error}", path.display()));
+    let document = std::fs::read_to_string(path).map_err(failure)?;
+    let filled = documents::fill(&document, results)
+        .map_err(|error| Failure::bad(format!("{}:{error}", path.display())))?;
+    if filled == document {
+        return Ok(());
+    }
+    let mut file = AtomicFile::create(path).map_err(failure)?;
+    file.write_all(filled.as_bytes()).and_then(|()| file.commit()).map_err(failure)
 }

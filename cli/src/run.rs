@@ -21,14 +21,14 @@ use crate::experiments::{Selection, duration};
 use crate::failure::Failure;
 use crate::{bad_runs, generate, input, report, stdio};
 
-/// Carry out experiments, each run in a process of its own, each a row of runs.csv
+/// Run experiments: each run is a process, and a row of runs.csv
 ///
-/// A row is on the disk before the next run begins. Started again, only what has no row is run, and
-/// what failed before it began; so it may be interrupted at any time. Tables are written after every
-/// block, at most every five seconds, the page every minute and at the end.
+/// A row is on the disk before the next run begins. May be interrupted at any time: started again,
+/// it does the runs without a row, and those that failed before they began. Tables are written
+/// after every block, at most every five seconds, the page every minute and at the end.
 ///
 /// Exit code 1 if a run did not end well (timeout, out of memory, crash, invalid result); each is
-/// named. A second run in the same folder is refused while the first one goes on.
+/// named. A folder has one run at a time; a second one is refused.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
                         triquad run experiments/comparison.toml --scale demo --out results/demo\n  \
@@ -36,10 +36,11 @@ use crate::{bad_runs, generate, input, report, stdio};
 pub struct Arguments {
     #[command(flatten)]
     selection: Selection,
-    /// Where the results go
+    /// The results folder
     #[arg(long, value_name = "DIR", default_value = "results/local")]
     out: PathBuf,
-    /// Runs at the same time. Above 1 they slow each other down: times are then not compared
+    /// Number of runs at the same time. Above 1 they slow each other down, and times are not
+    /// compared
     #[arg(long, value_name = "N", default_value_t = 1)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=256))]
     jobs: u32,
@@ -271,7 +272,7 @@ impl RunObserver for RunView<'_> {
         drop(pace);
         self.bar.inc(1);
         let is_new = || lock(&self.said).insert(record.reason.clone());
-        // Why a program is not installed is said once.
+        // The reason why a program is not installed is printed once.
         if record.is_bad() || record.outcome == Outcome::Skipped && is_new() {
             self.say(&bad_runs::described(record));
         }

@@ -14,9 +14,9 @@ use crate::reduction::{Opened, Options, Sizes};
 
 /// Simplify a closed triangle mesh to an exact number of vertices
 ///
-/// Edges are contracted in order of quadric error, only where that keeps the topology: genus and
-/// components stay what they are, and the result is a triangulation again. Vertices that no
-/// triangle uses are dropped; so are texture coordinates, normals, groups and materials.
+/// Contracts edges in order of quadric error, where the link condition holds: genus and number of
+/// components stay, and the result is a triangulation. Unused vertices, texture coordinates,
+/// normals, groups and materials are dropped.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     triquad simplify scan.ply.gz --vertices 10000 -o small.obj\n  \
@@ -24,11 +24,11 @@ use crate::reduction::{Opened, Options, Sizes};
 pub struct Arguments {
     #[arg(value_name = "IN", help = reads("The triangle mesh"))]
     input: PathBuf,
-    /// How many vertices are to be left
+    /// Number of vertices in the result, met exactly
     #[arg(long, value_name = "V")]
     vertices: usize,
-    /// Contract by quadric error alone, into the better end, ties in file order, whatever becomes of
-    /// angles and degrees: as the papers' hierarchies are made here
+    /// Contract by quadric error alone, into the better end, ties in file order. Angles and degrees
+    /// are not limited. The papers' hierarchies are made so
     #[arg(long)]
     plain: bool,
     #[arg(short, long, value_name = "OUT", help = may_write("Where the triangles go"))]

@@ -1,7 +1,10 @@
 //! Printing that does not panic on a closed pipe, as loud as is wanted.
 
 use std::io::{self, BufWriter, ErrorKind, Write};
+use std::process::ExitCode;
 use std::sync::OnceLock;
+
+use triquad::mesh::io_remedy;
 
 use crate::failure::Failure;
 
@@ -63,14 +66,43 @@ pub fn say_by(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<()
     let mut out = BufWriter::new(io::stdout().lock());
     match write(&mut out).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::bad(format!("standard output: {error}; check where it is redirected to")))
+            let remedy = match error.kind() {
+                ErrorKind::StorageFull | ErrorKind::QuotaExceeded => io_remedy(&error),
+                _ => "check where it is redirected to",
+            };
+            let problem = crate::input::system_problem(&error);
+            Err(Failure::bad(format!("standard output: {problem}; {remedy}")))
         }
         _ => Ok(()),
     }
 }
 
-/// Prints a line on standard error. Replaces control characters, which file names may hold.
+/// Prints a help text; returns `code`, or 2 if that is impossible. A closed pipe is no failure.
+pub fn print_help(text: &clap::Error, code: u8) -> ExitCode {
+    let printed = text.print().and_then(|()| io::stdout().flush());
+    match printed {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            complain(&format!("standard output: {}", crate::input::system_problem(&error)));
+            ExitCode::from(2)
+        }
+        _ => ExitCode::from(code),
+    }
+}
+
+/// Prints a line on standard error.
 pub fn complain(line: &str) {
-    let line: String = line.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
-    let _ = writeln!(io::stderr().lock(), "triquad: {line}");
+    let _ = writeln!(io::stderr().lock(), "triquad: {}", one_line(line));
+}
+
+/// Returns `text` with its control characters escaped: file names and headers may hold any.
+pub fn one_line(text: &str) -> String {
+    let mut line = String::with_capacity(text.len());
+    for c in text.chars() {
+        if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}' | '\u{202a}'..='\u{202e}') {
+            line.extend(c.escape_default());
+        } else {
+            line.push(c);
+        }
+    }
+    line
 }

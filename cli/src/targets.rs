@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::atomic_file::AtomicFile;
-use triquad::mesh::{Mesh, Output};
+use triquad::mesh::{Format, Mesh, Output, io_remedy};
 
 use crate::failure::Failure;
 use crate::{input, stdio};
@@ -75,17 +75,17 @@ impl<'a> Targets<'a> {
         })
     }
 
-    /// Writes the mesh, if it was asked for.
+    /// Writes the mesh, if requested.
     pub fn write_mesh(&mut self, mesh: &Mesh) -> Result<(), Failure> {
         write_to(self.mesh.take(), self.paths.output, mesh)
     }
 
-    /// Writes the triangles, if they were asked for.
+    /// Writes the triangles, if requested.
     pub fn write_triangles(&mut self, mesh: &Mesh) -> Result<(), Failure> {
         write_to(self.triangles.take(), self.paths.triangles, mesh)
     }
 
-    /// Writes the certificate, if it was asked for.
+    /// Writes the certificate, if requested.
     pub fn write_certificate(
         &mut self,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -93,7 +93,7 @@ impl<'a> Targets<'a> {
         self.certificate.take().map_or(Ok(()), |target| target.write(write))
     }
 
-    /// Writes edges as pairs of vertices counted from 1, if they were asked for.
+    /// Writes edges as pairs of vertices counted from 1, if requested.
     pub fn write_given_up(&mut self, edges: &[[u32; 2]]) -> Result<(), Failure> {
         let Some(target) = self.given_up.take() else { return Ok(()) };
         target.write(|out| {
@@ -102,7 +102,7 @@ impl<'a> Targets<'a> {
         })
     }
 
-    /// Writes the statistics as JSON, if they were asked for.
+    /// Writes the statistics as JSON, if requested.
     fn write_stats(&mut self, stats: &impl Serialize) -> Result<(), Failure> {
         let Some(target) = self.stats.take() else { return Ok(()) };
         let json = serde_json::to_string_pretty(stats)
@@ -113,6 +113,18 @@ impl<'a> Targets<'a> {
     /// Writes the statistics, then prints what was not carried over and the summary. In this order
     /// a failure stays a single line.
     pub fn finish(
+        self,
+        stats: &impl Serialize,
+        left_out: &[String],
+        summary: &str,
+    ) -> Result<(), Failure> {
+        let is_nothing = self.paths.output.is_none() && self.paths.triangles.is_none();
+        let tail = if is_nothing { "; nothing written: no -o" } else { "" };
+        self.finish_without_mesh(stats, left_out, &format!("{summary}{tail}"))
+    }
+
+    /// Does the same where there is no mesh to be written.
+    pub fn finish_without_mesh(
         mut self,
         stats: &impl Serialize,
         left_out: &[String],
@@ -123,7 +135,13 @@ impl<'a> Targets<'a> {
         input::tell_left_out(input, left_out);
         let target = output.filter(|&path| !is_stdio(path));
         let target = target.map(|path| format!(" -> {}", path.display())).unwrap_or_default();
-        self.report(&format!("{}{target}: {summary}", input.display()))
+        self.report(&stdio::one_line(&format!("{}{target}: {summary}", input.display())))
+    }
+
+    /// Returns whether the mesh goes to a format without attributes.
+    pub fn drops_attributes(&self) -> bool {
+        let format = self.paths.output.and_then(|path| Format::from_path(path).ok());
+        format.is_some_and(|format| format != Format::Obj)
     }
 
     /// Prints the summary on standard error if standard output takes a mesh or statistics.
@@ -165,7 +183,7 @@ fn write_to(output: Option<Output>, path: Option<&Path>, mesh: &Mesh) -> Result<
     output.write(mesh).map_err(|error| input::mesh_failure(path, &error))
 }
 
-/// Refuses targets that would mix or overwrite each other, and statistics in place of the input.
+/// Refuses targets that would mix, overwrite each other or overwrite the input.
 fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
     let options = paths.targets().into_iter();
     let targets: Vec<_> = options.filter_map(|(option, path)| Some((option, path?))).collect();
@@ -179,10 +197,9 @@ fn refuse_shared_files(paths: Paths<'_>) -> Result<(), Failure> {
             }
             refuse_overwriting(one, other, path)?;
         }
+        refuse_overwriting(paths.input, option, one)?;
     }
-    let is_mesh = |option: &str| ["-o", "--write-triangulation"].contains(&option);
-    let mut texts = targets.into_iter().filter(|(option, _)| !is_mesh(option));
-    texts.try_for_each(|(option, path)| refuse_overwriting(paths.input, option, path))
+    Ok(())
 }
 
 /// Refuses `path`, given to `option`, if it is the file `kept`.
@@ -208,5 +225,6 @@ fn is_stdio(path: &Path) -> bool {
 }
 
 fn text_failure(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::bad(format!("{}: {error}; check the path and its permissions", path.display()))
+    let problem = input::system_problem(error);
+    Failure::bad(format!("{}: {problem}; {}", path.display(), io_remedy(error)))
 }

@@ -1,4 +1,4 @@
-//! How many threads the library's parallel parts use.
+//! Number of threads that the library's parallel parts use.
 
 use std::num::NonZeroUsize;
 
@@ -18,7 +18,7 @@ pub fn settle(wanted: Option<NonZeroUsize>) {
     }
 }
 
-/// Starts `threads` threads; 0 stands for one a core, or what `RAYON_NUM_THREADS` says.
+/// Starts `threads` threads; 0 stands for one a core, or the number in `RAYON_NUM_THREADS`.
 fn pool(threads: usize) -> Result<(), ThreadPoolBuildError> {
     ThreadPoolBuilder::new().num_threads(threads).build_global()
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# One part of the experiments, as a task of a Slurm job array. submit.sh sends it off with all settings;
-# to do so by hand, set in the environment
+# One part of the experiments, as a task of a Slurm job array. submit.sh sends it off with all
+# settings; to do so by hand, set in the environment
 #
 #   EXPERIMENTS   experiment files, with blanks between them
 #   SCALE         full, small or demo
@@ -11,10 +11,11 @@
 #   JOBS          runs at a time within a task
 #   PARTS         tasks are numbered from 1 to PARTS; unset, they are counted from the array's first
 #
-# and call 'sbatch --array=1-20 array.sh'. A task may be killed and started again at any time: what has
-# a row in OUT/part-I/runs.csv is not run again. OUT/part-I is locked: a second task of the same part
-# ends at once with exit code 2 while the first one lives. Exit code 1: a run did not end well. Tasks can share CACHE, whose files are put in place by
-# renaming them: at worst two tasks make the same mesh at once. The local disk of a node does as well.
+# and call 'sbatch --array=1-20 array.sh'. A task may be killed and started again at any time: what
+# has a row in OUT/part-I/runs.csv is not run again. OUT/part-I is locked: a second task of the same
+# part ends at once with exit code 2 while the first one lives. Exit code 1: a run did not end well.
+# Tasks can share CACHE, whose files are put in place by renaming them: at worst two tasks make the
+# same mesh at once. The local disk of a node does as well.
 #
 #SBATCH --job-name=triquad
 #SBATCH --array=1-20
@@ -24,8 +25,9 @@
 #SBATCH --time=1-00:00:00
 # The memory_gigabytes of the experiment, and 2 more.
 #SBATCH --mem=14G
-# A run uses one core. Whoever else uses the node's caches and memory slows it down, hence --exclusive.
-# --oversubscribe on the command line undoes that; set JOBS to 2 at least then, so that rows are marked.
+# A run uses one core. Whoever else uses the node's caches and memory slows it down, hence
+# --exclusive. --oversubscribe on the command line undoes that; set JOBS to 2 at least then, so that
+# rows are marked.
 #SBATCH --cpus-per-task=1
 #SBATCH --exclusive
 set -euo pipefail

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Puts the parts in OUT together as OUT/whole and writes the report there; submit.sh has it run when the
-# array has ended. By hand: 'OUT=... PARTS=20 experiments/slurm/finish.sh'. It needs no Slurm. Exit
-# code 1: parts are missing or not complete, or runs did not end well, which are named; what there is has
-# been put together all the same.
+# Puts the parts in OUT together as OUT/whole and writes the report there; submit.sh has it run when
+# the array has ended. By hand: 'OUT=... PARTS=20 experiments/slurm/finish.sh'. It needs no Slurm.
+# Exit code 1: parts are missing or not complete, or runs did not end well, which are named; what
+# there is has been put together all the same.
 #SBATCH --job-name=triquad-finish
 #SBATCH --time=30
 #SBATCH --mem=2G
@@ -24,7 +24,8 @@ if ((${#folders[@]})); then
     "$triquad" report "$OUT/whole"
 fi
 if ((${#incomplete[@]})); then
-    echo "not complete: parts ${incomplete[*]}; see $OUT/logs, then submit again with the same settings" >&2
+    echo "not complete: parts ${incomplete[*]};" \
+        "see $OUT/logs, then submit again with the same settings" >&2
     exit 1
 fi
 exit "$bad"

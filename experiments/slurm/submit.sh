@@ -9,7 +9,8 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$(dirname "$here")")
 
 export SCALE=${SCALE:-full}
-export EXPERIMENTS=${EXPERIMENTS:-$root/experiments/comparison.toml $root/experiments/irreducible.toml}
+both="$root/experiments/comparison.toml $root/experiments/irreducible.toml"
+export EXPERIMENTS=${EXPERIMENTS:-$both}
 export OUT=${OUT:-$PWD/results/slurm-$SCALE}
 export DATA=${DATA:-}
 export TRIQUAD=${TRIQUAD:-$root/target/release/triquad}
@@ -23,7 +24,8 @@ fail() {
     exit 2
 }
 command -v sbatch >/dev/null || fail "sbatch was not found; README.md tells how to do without Slurm"
-command -v "$TRIQUAD" >/dev/null || fail "$TRIQUAD was not found: 'make build' makes it, or set TRIQUAD"
+command -v "$TRIQUAD" >/dev/null ||
+    fail "$TRIQUAD was not found: 'make build' makes it, or set TRIQUAD"
 read -ra selection <<<"$EXPERIMENTS"
 selection+=(--scale "$SCALE")
 [[ -z $DATA ]] || selection+=(--data "$DATA")

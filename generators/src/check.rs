@@ -4,7 +4,7 @@
 use crate::surface::Surface;
 use std::collections::{HashMap, HashSet};
 
-/// What [`inspect`] found out about a surface.
+/// Findings of [`inspect`] on a surface.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Facts {
     pub(crate) euler: i64,
@@ -128,7 +128,7 @@ fn blocks(points: &[[f64; 3]], size: f64) -> Vec<[i64; 3]> {
     columns.flat_map(|[x, y]| z.clone().map(move |z| [x, y, z])).collect()
 }
 
-/// Whether the segment crosses the triangle, boundaries left out.
+/// Returns whether the segment crosses the triangle, boundaries left out.
 fn passes_through([p, q]: [[f64; 3]; 2], [a, b, c]: [[f64; 3]; 3]) -> bool {
     let side = |i: [f64; 3], others: [[f64; 3]; 3]| {
         let [j, k, l] = others.map(|o| [o[0] - i[0], o[1] - i[1], o[2] - i[2]]);

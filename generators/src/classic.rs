@@ -186,7 +186,7 @@ mod tests {
         }
     }
 
-    /// Whether the edge meets the triangle, boundaries included. Exact: small integers.
+    /// Returns whether the edge meets the triangle, boundaries included. Exact: small integers.
     fn pierces(positions: &[[f64; 3]], [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
         let side = |i: u32, j: u32, k: u32, l: u32| {
             let [i, j, k, l] = [i, j, k, l].map(|v| positions[v as usize]);

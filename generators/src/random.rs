@@ -6,7 +6,7 @@ use crate::classic::{octahedron, seven_vertex_torus, tetrahedron};
 use crate::sculptor::{Operation, Sculptor};
 use crate::surface::Surface;
 
-/// Which operations make a random surface, and so what it looks like.
+/// The mix of operations that makes a random surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mix {
     /// Face splits only: many vertices of degree 3 and a few of very high degree.
@@ -74,7 +74,7 @@ pub fn random_surface(
 }
 
 /// Moves every coordinate by a random amount below 2⁻¹⁰. Midpoints of symmetric starts coincide
-/// often, and a file format that knows vertices only by their coordinates would weld them.
+/// often, and a file format without vertex numbers would weld them.
 fn shake(positions: &mut [[f64; 3]], below: &mut dyn FnMut(u32) -> u32) {
     for coordinate in positions.as_flattened_mut() {
         *coordinate += f64::from(below(1 << 20)) / f64::from(1 << 30);

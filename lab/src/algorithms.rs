@@ -47,7 +47,7 @@ pub const PURPLE: [u8; 3] = [204, 121, 167];
 /// For the papers' own numbers.
 pub const GREY: [u8; 3] = [110, 110, 110];
 
-/// What is known of an algorithm, a variant being one of its own.
+/// Facts about an algorithm; a variant counts as one.
 #[derive(Debug)]
 pub struct AlgorithmFacts {
     /// Name in experiment files and records; a variant follows after a space.
@@ -56,7 +56,7 @@ pub struct AlgorithmFacts {
     pub label: &'static str,
     /// Look in plots.
     pub look: Look,
-    /// Whether the quads that it makes are drawn.
+    /// True if the quads that it makes are drawn.
     pub is_pictured: bool,
     /// Seconds for each triangle, augmentation excluded.
     pub seconds: f64,

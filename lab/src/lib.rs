@@ -8,6 +8,7 @@
 pub mod algorithms;
 mod csv_text;
 pub mod experiment;
+mod file_hash;
 pub mod meshes;
 mod nearest;
 pub mod paper;

@@ -147,8 +147,8 @@ impl Failure {
             MeshError::Truncated { place, .. } => ("truncated-file", Some(*place)),
             MeshError::TooLarge => (Law::NotTooLarge.name(), None),
             MeshError::ReadOnly(_) => ("read-only-format", None),
-            MeshError::Foreign { .. } => ("foreign-file", None),
-            MeshError::Expanded(_) => ("expanded-file", None),
+            MeshError::Foreign { .. } => ("foreign-content", None),
+            MeshError::Expanded(_) => ("expands-too-far", None),
             _ => ("unknown-format", None),
         };
         let remedy = match &error {

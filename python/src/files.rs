@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use triquad::Mesh;
-use triquad::mesh::Faces;
+use triquad::mesh::{CutError, Faces};
 
 use crate::arrays::{MeshArrays, indices, positions, table};
 use crate::failure::{Failure, MeshFailure};
@@ -16,13 +16,24 @@ pub fn read(py: Python<'_>, path: PathBuf, triangulate: bool) -> PyResult<MeshAr
     let (mesh, arity) = worker::run(py, 0, move |_| {
         let mut mesh = Mesh::read(&path).map_err(|error| Failure::of_file(error, path.clone()))?;
         if triangulate {
-            mesh.triangulate();
+            mesh.triangulate().map_err(|error| no_cut(&path, error))?;
         }
         let arity = mesh.faces().arity().ok_or_else(|| mixed(&path))?;
         Ok((mesh, arity))
     })?;
     let (positions, faces) = mesh.into_parts();
     Ok((table(py, positions.into_flattened(), 3)?, table(py, faces.into_corners(), arity)?))
+}
+
+fn no_cut(path: &std::path::Path, error: CutError) -> Failure {
+    let remedy = "the mesh may be sound: cut this face in another program".to_owned();
+    Failure::Mesh(Box::new(MeshFailure {
+        message: format!("{}: {error}; {remedy}", path.display()),
+        law: "no-cut",
+        element: ("face", vec![error.face as u64]),
+        count: 1,
+        remedy,
+    }))
 }
 
 fn mixed(path: &std::path::Path) -> Failure {

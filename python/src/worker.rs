@@ -46,8 +46,8 @@ impl Progress for Cancel {
 /// Runs `work` in a thread of its own without the interpreter lock. Its parallel parts use
 /// `threads` threads, or one for each core for 0.
 ///
-/// These threads end with the call, so that a process may be forked after it. An interrupt is raised at once. The work then ends at its next look at `Cancel`; its result is
-/// dropped.
+/// These threads end with the call, so that a process may be forked after it. An interrupt is
+/// raised at once. The work then ends at its next look at `Cancel`; its result is dropped.
 ///
 /// # Errors
 /// Those of `work`, the exception of a signal handler, and `RuntimeError` if `work` panics.

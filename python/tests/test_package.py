@@ -79,3 +79,13 @@ def test_the_example_draws_its_picture(tmp_path: Path) -> None:
     )
     assert run.stdout.startswith("1400 triangles (genus 1) -> 700 quads")
     assert (tmp_path / "quads.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_snippets_of_the_readme_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    root = Path(__file__).parents[2]
+    monkeypatch.chdir(root)
+    fence = "```"
+    parts = (root / "README.md").read_text(encoding="utf-8").split(fence + "python\n")[1:]
+    assert parts
+    for part in parts:
+        exec(part.split(fence)[0], {})

@@ -13,7 +13,7 @@ pub struct Camera {
     /// `direction`.
     pub up: [f64; 3],
     /// Distance of the eye from the middle of the bounding box in half diagonals of the box, more
-    /// than 1; None looks from infinity, so that parallel lines stay parallel.
+    /// than 1; None is a view from infinity: parallel lines stay parallel.
     pub distance: Option<f64>,
     /// The point in the middle of the image; None is the middle of what is seen.
     pub target: Option<[f64; 3]>,

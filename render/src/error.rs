@@ -1,6 +1,6 @@
-//! Why there is no picture.
+//! Reason why there is no picture.
 
-/// Why there is no picture.
+/// Reason why there is no picture.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PictureError {

@@ -62,8 +62,8 @@ pub fn normal(corners: &[Vector]) -> Option<Vector> {
     unit(fan.fold([0.0; 3], |sum, part| [0, 1, 2].map(|i| sum[i] + part[i])))
 }
 
-/// Iterates over the triangles of a face: a fan at its first corner, of a quad with a dent at its second
-/// at the corner that sees the whole of it.
+/// Iterates over the triangles of a face: a fan at its first corner, of a quad with a dent at its
+/// second at the corner that sees the whole of it.
 fn triangles(corners: &[Vector], normal: Vector) -> impl Iterator<Item = [Vector; 3]> {
     let turned = |[a, b, c]: [Vector; 3]| dot(cross(minus(b, a), minus(c, a)), normal) < 0.0;
     let shift = match *corners {

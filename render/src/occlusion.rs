@@ -1,7 +1,7 @@
 //! Ambient occlusion: the share of the sky hidden from a visible point, from the depth of its
 //! surroundings alone.
 
-/// Directions on the screen, each looked along both ways; lengths are near 1.
+/// Directions on the screen, each followed both ways; lengths are near 1.
 const DIRECTIONS: [[f32; 2]; 8] = [
     [1.0, 0.0],
     [0.924, 0.383],

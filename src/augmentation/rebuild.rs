@@ -45,3 +45,22 @@ impl Sides for NeighbourLists {
         [0, 1, 2].map(|side| list.get(side).copied().unwrap_or(TriangleId::NONE))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Augmentation, make_maximum};
+    use super::*;
+    use crate::samples::{surfaces, triangulation};
+
+    #[test]
+    fn paths_are_those_of_tarjan() {
+        for surface in surfaces(4, 60) {
+            let graph = DualGraph::new(&triangulation(&surface));
+            let augmented = |augmentation| {
+                let none = Matching::empty(graph.len());
+                make_maximum(&graph, none, augmentation, || ControlFlow::Continue(()))
+            };
+            assert_eq!(augmented(Augmentation::Rebuild), augmented(Augmentation::Tarjan));
+        }
+    }
+}

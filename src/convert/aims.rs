@@ -18,7 +18,7 @@ pub struct Aims<'a> {
     pub listed_costs: Option<Vec<i32>>,
     /// Edges that no quad shall lie across.
     pub keep: Keep,
-    /// Whether none of them is given up.
+    /// True if none of them is given up.
     pub strict: bool,
     /// Price at which any triangle may stay unpaired, in the unit of the costs.
     pub price: Option<i32>,

@@ -48,6 +48,7 @@ impl Converter<'_> {
         let check = check?;
         let attributes =
             quadrangulation.carry_attributes(&paired.triangulation, triangulation, &mesh);
+        let losses = quadrangulation.attribute_losses(&paired.triangulation, triangulation, &mesh);
         let mut mesh = mesh.into_owned();
         let given = mesh.replace_faces(quads);
         let triangles = flipped.unwrap_or(given);
@@ -57,13 +58,16 @@ impl Converter<'_> {
         let report = Report {
             quads,
             degree_two_vertices,
+            // The same fields whether the surface turns out to be closed or not.
+            leftover_triangles: self.open.then_some(0),
+            is_proved_fewest: self.open,
             quality,
             sharp_edges,
             check_seconds: paired.report.check_seconds + check_seconds,
             ..paired.report
         };
         let Paired { proof, given_up, .. } = paired;
-        Ok(Converted { mesh, triangles, report, proof, given_up })
+        Ok(Converted { mesh, triangles, report, losses, proof, given_up })
     }
 
     /// Converts a triangulation without coordinates. The result is not checked.
@@ -124,7 +128,7 @@ impl Converter<'_> {
         let system = SystemClock::default();
         let ((initial, shuffle_seconds), seconds) = self.time(|settings| {
             let clock = settings.clock.unwrap_or(&system);
-            let (algorithm, lrs_order) = (settings.algorithm, settings.lrs_order);
+            let Self { algorithm, lrs_order, .. } = *settings;
             algorithm.pair_by_clock(triangulation, lrs_order, &mut random, clock)
         });
         report.shuffle_seconds = shuffle_seconds;

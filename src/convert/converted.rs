@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::report::Report;
 use crate::mesh::{Faces, Mesh};
 use crate::pairing::Proof;
-use crate::quadrangulation::Quadrangulation;
+use crate::quadrangulation::{AttributeLosses, Quadrangulation};
 use crate::triangulation::Triangulation;
 
 /// A mesh of quads, and of triangles where some may be left, that passed its check; its report.
@@ -15,6 +15,7 @@ pub struct Converted {
     /// The triangles that were paired.
     pub(super) triangles: Faces,
     pub(super) report: Report,
+    pub(super) losses: AttributeLosses,
     pub(super) proof: Option<Proof>,
     /// The ends of each edge given up.
     pub(super) given_up: Vec<[u32; 2]>,
@@ -30,6 +31,11 @@ impl Converted {
     /// Returns the counts and times.
     pub fn report(&self) -> &Report {
         &self.report
+    }
+
+    /// Returns what the quads cannot keep of the attributes of the input.
+    pub fn losses(&self) -> &AttributeLosses {
+        &self.losses
     }
 
     /// Returns the triangles that were paired: those of the input but for `lrs`, which flips edges.

@@ -254,8 +254,8 @@ impl<'a> Converter<'a> {
 
     /// Makes the report of a conversion that begins.
     pub(super) fn report(&self, size: Size) -> Report {
-        let report = Report::new(self.algorithm, self.augmentation, self.seed, size);
-        Report { lrs_order: self.lrs_order, ..report }
+        let lrs_order = self.lrs_order;
+        Report { lrs_order, ..Report::new(self.algorithm, self.augmentation, self.seed, size) }
     }
 
     pub(super) fn enter(&mut self, stage: Stage) {

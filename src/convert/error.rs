@@ -1,4 +1,4 @@
-//! Why a conversion has no result.
+//! Reason why a conversion has no result.
 
 use super::report::Report;
 use crate::matching::weighted::SolveError;
@@ -6,7 +6,7 @@ use crate::pairing::{Algorithm, ProofError};
 use crate::quadrangulation::{CostCountError, Mismatch, NoSuchEdge};
 use crate::triangulation::Survey;
 
-/// Why a mesh was not converted.
+/// Reason why a mesh was not converted.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConvertError {
@@ -37,10 +37,10 @@ pub enum ConvertError {
          and two sides at every edge; use best, tq, ps or sg"
     )]
     NeedsClosed(Algorithm),
-    /// The algorithm cannot aim at what was asked for.
+    /// The algorithm does not support the requested aim.
     #[error("{aim} cannot be given to {algorithm}; use best")]
     NeedsBest {
-        /// What was asked for.
+        /// The requested aim.
         aim: &'static str,
         /// The algorithm.
         algorithm: Algorithm,

@@ -50,6 +50,7 @@ impl Converter<'_> {
         let MixedCheck { report: CheckReport { quads, degree_two_vertices, .. }, .. } = check?;
         report.sharp_edges = Some(SharpEdges::new(surface, mesh.positions(), mixed.removed()));
         let attributes = mixed.carry_attributes(&mesh);
+        let losses = mixed.attribute_losses(surface, &mesh);
         let mut mesh = mesh.into_owned();
         let triangles = mesh.replace_faces(mixed.into_faces());
         let mesh = mesh.attach(attributes);
@@ -57,7 +58,7 @@ impl Converter<'_> {
         report.degree_two_vertices = degree_two_vertices;
         report.quality = Some(Quality::new(&mesh));
         report.check_seconds += check_seconds;
-        Ok(Converted { mesh, triangles, report, proof, given_up })
+        Ok(Converted { mesh, triangles, report, losses, proof, given_up })
     }
 
     /// Finds the best matching and verifies its proof.

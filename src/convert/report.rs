@@ -49,15 +49,15 @@ pub struct Report {
     pub edge_flips: usize,
     /// Counts of the augmentation.
     pub paths: AugmentationStats,
-    /// Whether [`Progress`](super::Progress) stopped the augmentation.
+    /// True if [`Progress`](super::Progress) stopped the augmentation.
     pub stopped: bool,
     /// Total cost of the pairing, if `best` was given coordinates.
     pub total_cost: Option<i128>,
-    /// Whether a certificate was verified that no pairing as asked for costs less.
+    /// True if a certificate was verified that no pairing as asked for costs less.
     pub is_proved_least: bool,
-    /// Whether a barrier was verified that shows that no pairing leaves fewer triangles.
+    /// True if a barrier was verified that shows that no pairing leaves fewer triangles.
     pub is_proved_fewest: bool,
-    /// Edges to keep, if any were asked for.
+    /// Edges to keep, if any were requested.
     pub kept_edges: Option<usize>,
     /// Those of them that were given up, as few as can be.
     pub given_up_edges: Option<usize>,

@@ -3,7 +3,7 @@
 use crate::mesh::Mesh;
 use crate::triangulation::{Survey, Triangulation, VertexId};
 
-/// Why a result is no irreducible triangulation.
+/// Reason why a result is no irreducible triangulation.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum IrreducibleError {

@@ -13,10 +13,10 @@ pub struct Counts {
     /// Edges that were tested more than once (ε). An edge whose end moves stays the same edge; of
     /// two that become one, the one at the end that stays remains.
     pub edges_tested_more_than_once: usize,
-    /// Vertices that these tests have looked at, a cost that no machine changes. RS looks at the
+    /// Vertices that these tests have visited, a cost that no machine changes. RS visits the
     /// link of v but for u and the apexes, and at the edges put aside that wait for a processed
-    /// vertex when u gains it. S looks at the link of v up to the first vertex joined to u. BF looks
-    /// at the links of both ends, or at none if one of them has degree 3.
+    /// vertex when u gains it. S visits the link of v up to the first vertex joined to u. BF
+    /// visits the links of both ends, or at none if one of them has degree 3.
     pub link_vertices_visited: u64,
     /// The sum of d_u · d_v over the tests of all edges [u, v], d the degrees: their cost without
     /// any data structure (section 3).

@@ -12,7 +12,8 @@ pub enum Discipline {
     /// `queue`: at the rear, as published; those to vertices of degree 3 at the front.
     #[default]
     FirstInFirstOut,
-    /// `stack`: at the front. Tests more edges, and contracts in an order that suits expansion better.
+    /// `stack`: at the front. Tests more edges, and contracts in an order that suits expansion
+    /// better.
     LastInFirstOut,
 }
 

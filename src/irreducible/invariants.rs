@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use triquad_generators::Surface;
+use triquad_generators::random::{Mix, random_surface};
 
 use super::edge_lists::{Discipline, List};
 use super::ramaswami_siqueira::{ContractionObserver, NEVER, RamaswamiSiqueira};
@@ -74,9 +75,29 @@ struct Checker {
     euler_characteristic: i64,
     tested: RefCell<BTreeSet<[VertexId; 2]>>,
     contractions: Cell<usize>,
+    /// Critical cycles found through processed vertices that u has gained.
+    cycles_gained: Cell<usize>,
 }
 
 impl ContractionObserver for Checker {
+    /// The edges that wait are those that the printed walk round the processed vertex finds.
+    fn gaining(&self, run: &RamaswamiSiqueira<Self>, g: HalfEdgeId) {
+        let put_aside = |&w: &VertexId| {
+            let n = run.lists[w];
+            n.round == run.round && n.tested_at != NEVER && !n.processed
+        };
+        let ends = run.k.far_spokes(g).map(|spoke| run.k.destination(spoke));
+        let walked: BTreeSet<_> = ends.filter(put_aside).collect();
+        let first = run.lists[run.k.destination(g)].first_waiting(run.round);
+        let apexes = run.k.apexes(g);
+        let waiting = run.waiting.list(first);
+        let listed: Vec<_> =
+            waiting.filter(|w| !run.lists[*w].processed && !apexes.contains(w)).collect();
+        assert_eq!(listed.len(), walked.len(), "no edge waits twice");
+        assert_eq!(listed.iter().copied().collect::<BTreeSet<_>>(), walked);
+        self.cycles_gained.set(self.cycles_gained.get() + walked.len());
+    }
+
     fn popped(&self, run: &RamaswamiSiqueira<Self>, v: VertexId) {
         assert!(!run.lists[v].processed && run.k.outgoing(v).is_some());
         self.check_untested(run);
@@ -177,12 +198,18 @@ impl Checker {
 
 /// Makes `surface` irreducible under observation; returns how many vertices are left.
 fn observe(surface: &Surface, discipline: Discipline, seed: u64) -> usize {
+    observe_cycles(surface, discipline, seed).0
+}
+
+/// Does the same, and returns how many critical cycles came with processed vertices too.
+fn observe_cycles(surface: &Surface, discipline: Discipline, seed: u64) -> (usize, usize) {
     let triangulation = triangulation(surface);
     let checker = Checker {
         discipline,
         euler_characteristic: triangulation.euler_characteristic(),
         tested: RefCell::default(),
         contractions: Cell::default(),
+        cycles_gained: Cell::default(),
     };
     let mut order: Vec<_> = (0..triangulation.vertex_id_count()).map(VertexId::new).collect();
     if seed > 0 {
@@ -194,11 +221,29 @@ fn observe(surface: &Surface, discipline: Discipline, seed: u64) -> usize {
     run.process_all(order);
     let (tests, contractions) =
         (run.observer.tested.borrow().len(), run.observer.contractions.get());
+    let cycles_gained = run.observer.cycles_gained.get();
     let reduction = run.finish();
     assert_eq!(reduction.counts.link_condition_tests, tests);
     assert_eq!(reduction.splits.len(), contractions);
+    assert_eq!(reduction.counts.edges_tested_more_than_once, 0);
     assert_eq!(reduction.triangulation.vertex_count(), vertices - contractions);
-    reduction.triangulation.vertex_count()
+    (reduction.triangulation.vertex_count(), cycles_gained)
+}
+
+/// Without walks round processed vertices the algorithm does what it did with them.
+#[test]
+fn edges_that_wait_are_those_that_a_walk_would_find() {
+    let mut cycles = 0;
+    for seed in 0..60 {
+        let mut random = Random::stream(seed, &["waiting"]);
+        let mix = Mix::ALL[seed as usize % Mix::ALL.len()];
+        let genus = 2 + seed as usize % 5;
+        let surface = random_surface(genus, 40, mix, &mut |bound| random.below(bound));
+        for discipline in Discipline::ALL {
+            cycles += observe_cycles(&surface, discipline, seed).1;
+        }
+    }
+    assert!(cycles > 100, "{cycles}");
 }
 
 #[test]

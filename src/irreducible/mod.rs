@@ -10,6 +10,7 @@ mod check;
 mod contracted;
 mod degree_queue;
 mod edge_lists;
+mod far_spoke;
 #[cfg(test)]
 mod invariants;
 mod neighbour_sets;

@@ -20,6 +20,7 @@
 
 use super::contracted::{Contracted, Counts};
 use super::edge_lists::{Discipline, EdgeLists, List};
+use super::far_spoke::FarSpoke;
 use super::waiting_edges::WaitingEdges;
 use crate::triangulation::{
     Contraction, HalfEdgeId, ShrinkingTriangulation, VertexId, VertexSplit,
@@ -29,8 +30,9 @@ use crate::triangulation::{
 /// which should hold all vertices. Those that are gone or in no triangle are skipped.
 ///
 /// O(n) for surfaces of genus 0 and O(g² + g n) for genus g > 0; 36 bytes a vertex for the state
-/// and the receipts, and 8 for each edge between one put aside and a processed vertex. Triangles that are numbered at random take about three times as long as
-/// others; renumbering them first was measured to take longer than that.
+/// and the receipts, and 8 for each edge between one put aside and a processed vertex. Triangles
+/// that are numbered at random take about three times as long as others; renumbering them first was
+/// measured to take longer than that.
 pub fn ramaswami_siqueira(
     triangulation: ShrinkingTriangulation,
     order: impl IntoIterator<Item = VertexId>,
@@ -49,6 +51,8 @@ pub(super) trait ContractionObserver: Sized {
     fn tested(&self, _run: &RamaswamiSiqueira<Self>, _v: VertexId) {}
     /// The edge of `h` is about to be contracted.
     fn contracting(&self, _run: &RamaswamiSiqueira<Self>, _h: HalfEdgeId) {}
+    /// u is about to gain a processed vertex as a neighbour, through spoke `g`.
+    fn gaining(&self, _run: &RamaswamiSiqueira<Self>, _g: HalfEdgeId) {}
     /// An edge has been dealt with: contracted, put aside or left alone.
     fn settled(&self, _run: &RamaswamiSiqueira<Self>) {}
     /// Vertex u has been processed.
@@ -80,24 +84,6 @@ pub(super) struct Neighbour {
     pub(super) processed: bool,
 }
 
-/// A spoke that moves from v to u if [u, v] is contracted.
-#[derive(Clone, Copy)]
-struct FarSpoke {
-    spoke: HalfEdgeId,
-    /// The other end, which u gains as a neighbour.
-    end: VertexId,
-    /// The other side of the edge that faces v and will face u.
-    across: HalfEdgeId,
-}
-
-impl FarSpoke {
-    #[inline]
-    fn new(k: &ShrinkingTriangulation, spoke: HalfEdgeId) -> Self {
-        let facing = spoke.next();
-        Self { spoke, end: k.origin(facing), across: k.twin(facing) }
-    }
-}
-
 /// The state of the algorithm.
 pub(super) struct RamaswamiSiqueira<O> {
     pub(super) k: ShrinkingTriangulation,
@@ -112,7 +98,7 @@ pub(super) struct RamaswamiSiqueira<O> {
     /// Of the edge [u, v] at hand, the spokes of v but those to u and the apexes.
     far_spokes: Vec<FarSpoke>,
     /// Edges put aside that wait for a processed vertex to become a neighbour of u.
-    waiting: WaitingEdges,
+    pub(super) waiting: WaitingEdges,
     splits: Vec<VertexSplit>,
     counts: Counts,
     pub(super) observer: O,
@@ -154,7 +140,7 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         loop {
             while let Some(v) = self.lists.pop_front(List::Untested) {
                 let neighbour = &mut self.lists[v];
-                // It never happens: no vertex is u twice, and none comes back into the list.
+                // Never true: no vertex is u twice, and none comes back into the list.
                 let again = neighbour.processed || neighbour.tested_at != NEVER;
                 self.counts.edges_tested_more_than_once += usize::from(again);
                 neighbour.tested_at = self.now;
@@ -254,8 +240,8 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         }
     }
 
-    /// Lists [u, w], which has just been put aside, at each processed vertex in the link of `w` that
-    /// is no neighbour of u.
+    /// Lists [u, w], which has just been put aside, at each processed vertex in the link of `w`
+    /// that is no neighbour of u.
     fn wait_for_strangers(&mut self, w: VertexId) {
         for &FarSpoke { end: z, .. } in &self.far_spokes {
             let stranger = &mut self.lists[z];
@@ -318,6 +304,9 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
         }
         for &FarSpoke { spoke: g, end: z, across } in &self.far_spokes {
             self.prefetch_beyond(across);
+            if self.lists[z].processed {
+                self.observer.gaining(self, g);
+            }
             let neighbour = &mut self.lists[z];
             let first_waiting = neighbour.first_waiting(self.round);
             neighbour.meet(self.round, g, self.now);
@@ -354,9 +343,10 @@ impl<O: ContractionObserver> RamaswamiSiqueira<O> {
 }
 
 impl Neighbour {
-    /// Returns the first edge that waits for this vertex in this `round`, or [`WaitingEdges::NONE`].
+    /// Returns the first edge that waits for this vertex in this `round`, or
+    /// [`WaitingEdges::NONE`].
     #[inline]
-    fn first_waiting(&self, round: u32) -> u32 {
+    pub(super) fn first_waiting(&self, round: u32) -> u32 {
         if self.round == round + 1 { self.critical_cycles } else { WaitingEdges::NONE }
     }
 

@@ -5,9 +5,9 @@
 //! edge: [v, u] can be contracted if no vertex in the link of v but the apexes is in D_u. If one
 //! can be, u is merged into v; else v is trapped, and stays so (Lemma 5).
 //!
-//! That v survives, and not u, the text does not say outright. It says that a few vertices of low
+//! The text does not state that v survives, and not u. It states that a few vertices of low
 //! degree are chosen over and over again before they are trapped (section 5.3). Among equal degrees
-//! the choice is random, as nothing is said of it.
+//! the choice is random, as the text leaves it open.
 
 use super::contracted::{Contracted, Counts};
 use super::degree_queue::DegreeQueue;
@@ -105,8 +105,8 @@ impl Schipper {
         self.splits.push(split);
     }
 
-    /// Gives the number of tests of the edges from the origin of `h` to the apexes to the edges that
-    /// they and those from its destination become.
+    /// Gives the number of tests of the edges from the origin of `h` to the apexes to the edges
+    /// that they and those from its destination become.
     fn keep_tests(&mut self, h: HalfEdgeId) {
         let twin = self.k.twin(h);
         for (kept, gone) in [(h.prev(), h.next()), (twin.next(), twin.prev())] {

@@ -29,6 +29,25 @@ impl Attributes {
         *self == Self::default()
     }
 
+    /// Returns the names of what there is, for messages about formats that cannot hold it.
+    pub fn names(&self) -> Vec<&'static str> {
+        let has = |keywords: &[&str]| {
+            self.sections.iter().any(|section| keywords.contains(&section.keyword()))
+        };
+        let has_texture = !(self.corner_texture.is_empty() && self.texture_coordinates.is_empty());
+        let has_normals = !(self.corner_normal.is_empty() && self.normals.is_empty());
+        [
+            (has_texture, "texture coordinates"),
+            (has_normals, "normals"),
+            (has(&["usemtl"]) || !self.libraries.is_empty(), "materials"),
+            (has(&["o", "g"]), "groups"),
+            (has(&["s"]), "smoothing groups"),
+        ]
+        .into_iter()
+        .filter_map(|(is_there, name)| is_there.then_some(name))
+        .collect()
+    }
+
     /// Follows a change of faces.
     ///
     /// `sources` has the old corner of each new one. `first_new` has the first new face of each old
@@ -73,6 +92,13 @@ pub struct FaceSection {
     pub first_face: usize,
     /// The whole line.
     pub line: String,
+}
+
+impl FaceSection {
+    /// Returns the first word of the line.
+    pub fn keyword(&self) -> &str {
+        self.line.split_whitespace().next().unwrap_or_default()
+    }
 }
 
 /// A reason why attributes do not fit a mesh.

@@ -54,6 +54,29 @@ impl CornerIndices {
         self.0.resize(corners, NONE);
     }
 
+    /// Returns whether every corner in `range` has an index.
+    pub(super) fn has_all(&self, range: std::ops::Range<usize>) -> bool {
+        self.0.get(range).is_some_and(|indices| !indices.contains(&NONE))
+    }
+
+    /// Takes the index from each corner where it is not below `count`; returns the number of them.
+    ///
+    /// Nothing is listed any more if no corner has an index then.
+    #[cfg(feature = "files")]
+    pub(super) fn drop_beyond(&mut self, count: usize) -> usize {
+        let mut dropped = 0;
+        for index in &mut self.0 {
+            if *index != NONE && *index as usize >= count {
+                *index = NONE;
+                dropped += 1;
+            }
+        }
+        if self.0.iter().all(|&index| index == NONE) {
+            self.0 = Vec::new();
+        }
+        dropped
+    }
+
     /// Returns the first corner whose index is not below `count`, with that index.
     pub(super) fn first_beyond(&self, count: usize) -> Option<(usize, u32)> {
         let beyond = |index: u32| index as usize >= count;

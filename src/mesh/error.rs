@@ -58,6 +58,17 @@ pub enum MeshError {
         /// The first thing that is missing.
         missing: String,
     },
+    /// The first bytes are those of another kind of file.
+    #[error("the file is {content}, by its first bytes")]
+    Foreign {
+        /// The content, article included.
+        content: &'static str,
+        /// The remedy for such content.
+        remedy: &'static str,
+    },
+    /// A gzip file holds more than it may.
+    #[error("the gzip file expands to more than {0} bytes, the limit for a file of its size")]
+    Expanded(u64),
     /// More corners than 32-bit half-edge indices can name.
     #[error("more than 2^31 half-edges")]
     TooLarge,
@@ -67,11 +78,13 @@ impl MeshError {
     /// Returns the remedy, as an instruction to the user.
     pub fn remedy(&self) -> &'static str {
         match self {
-            Self::Io(_) => "check the path and its permissions",
+            Self::Io(error) => io_remedy(error),
             Self::UnknownFormat(_) => "use .obj, .ply, .off or .stl, each also with .gz",
             Self::ReadOnly(_) => "write .obj, .ply or .off, each also with .gz",
             Self::Malformed { .. } => "correct the file there or export it again",
             Self::Truncated { .. } => "copy or export the file again",
+            Self::Foreign { remedy, .. } => remedy,
+            Self::Expanded(_) => "if it is to be that large, raise the limit with --max-expanded",
             Self::TooLarge => "split the mesh into components and convert them one by one",
         }
     }
@@ -79,5 +92,18 @@ impl MeshError {
     /// Makes the error that something is wrong at `place`.
     pub(crate) fn malformed(place: Place, problem: impl Into<String>) -> Self {
         Self::Malformed { place, problem: problem.into() }
+    }
+}
+
+/// Returns the remedy for an error of the operating system, as an instruction to the user.
+pub fn io_remedy(error: &std::io::Error) -> &'static str {
+    use std::io::ErrorKind;
+    match error.kind() {
+        ErrorKind::ReadOnlyFilesystem => "name a file on a disk that can be written to",
+        ErrorKind::StorageFull => "free some space there, or write to another disk",
+        ErrorKind::QuotaExceeded => "free some of your quota there, or write to another disk",
+        ErrorKind::FileTooLarge => "raise the limit for the size of files (ulimit -f)",
+        ErrorKind::OutOfMemory => "raise the limit for memory, or use a machine with more",
+        _ => "check the path and its permissions",
     }
 }

@@ -114,6 +114,12 @@ impl Faces {
         FacesIter { faces: self, range: 0..self.len() }
     }
 
+    /// Makes room for so many more corners.
+    #[cfg(feature = "files")]
+    pub(super) fn reserve(&mut self, corners: usize) {
+        self.corners.reserve_exact(corners);
+    }
+
     /// Appends a face.
     pub fn push(&mut self, corners: &[u32]) {
         self.corners.extend_from_slice(corners);

@@ -24,6 +24,8 @@ pub struct Mesh {
     pub(super) faces: Faces,
     pub(super) attributes: Option<Box<Attributes>>,
     pub(super) left_out: Vec<String>,
+    /// The note on lines of an OBJ file that begin with no keyword.
+    pub(super) unknown_lines: Option<String>,
     /// For each face the face of the file (from 0) that it was cut from; empty if none was cut.
     cut_from: Vec<u32>,
 }
@@ -62,6 +64,13 @@ impl Mesh {
     /// Returns the names of what the file holds and the mesh does not, in words for the user.
     pub fn left_out(&self) -> &[String] {
         &self.left_out
+    }
+
+    /// Returns the number and the first of lines that begin with no keyword, in words for the user.
+    ///
+    /// They are in [`Mesh::left_out`] too. If the mesh is refused, they may be why.
+    pub fn unknown_lines(&self) -> Option<&str> {
+        self.unknown_lines.as_deref()
     }
 
     /// Takes the mesh apart into positions and faces. Attributes are dropped.
@@ -119,35 +128,21 @@ impl Mesh {
         }
     }
 
-    /// Cuts every face of more than three corners into a fan of triangles at its first corner.
+    /// Replaces the faces by some made from them, and makes the attributes follow.
     ///
-    /// Faces of fewer corners stay what they are. O(n).
-    pub fn triangulate(&mut self) {
-        if self.faces.arity() == Some(3) {
-            return;
-        }
-        let old = std::mem::take(&mut self.faces);
-        let mut sources = Vec::new();
-        let mut first_new = Vec::with_capacity(old.len() + 1);
-        for face in 0..old.len() {
-            first_new.push(self.faces.len());
-            let range = old.range(face);
-            if range.len() <= 3 {
-                sources.extend(range);
-                self.faces.push(&old[face]);
-                self.cut_from.push(face as u32);
-                continue;
-            }
-            for at in range.start + 1..range.end - 1 {
-                let triangle = [range.start, at, at + 1];
-                sources.extend(triangle);
-                self.faces.push(&triangle.map(|corner| old.corners[corner]));
-                self.cut_from.push(face as u32);
-            }
-        }
-        first_new.push(self.faces.len());
+    /// `sources` has the old corner of each new one, `first_new` the first new face of each old one
+    /// and the number of new ones, `origins` the face of the file of each new one.
+    pub(super) fn set_derived_faces(
+        &mut self,
+        faces: Faces,
+        sources: &[usize],
+        first_new: &[usize],
+        origins: Vec<u32>,
+    ) {
+        self.faces = faces;
+        self.cut_from = origins;
         if let Some(attributes) = &mut self.attributes {
-            attributes.rearrange(&sources, &first_new);
+            attributes.rearrange(sources, first_new);
         }
     }
 }
@@ -181,7 +176,7 @@ mod tests {
             ],
             ..Attributes::default()
         }));
-        list.triangulate();
+        list.triangulate().unwrap();
         let expected: [&[u32]; 5] = [&[0, 1, 2], &[0, 2, 3], &[0, 3, 4], &[5, 6], &[7, 8, 9]];
         assert!(list.faces.iter().eq(expected));
         list.reverse_face(4);

@@ -3,12 +3,12 @@
 //! Triangles have no common vertices in such a file: corners at equal coordinates are made one
 //! vertex. Normals and attribute bytes hold nothing that a surface needs and are not read.
 
-use std::collections::HashMap;
-
 use super::error::{MeshError, Place};
 use super::faces::MAX_CORNERS;
 use super::polygon_mesh::Mesh;
+use super::text::is_padding;
 use super::tokens::{self, Tokens};
+use super::weld::ExactWelder;
 
 const HEADER_BYTES: usize = 84;
 const TRIANGLE_BYTES: usize = 50;
@@ -16,14 +16,14 @@ const TRIANGLE_BYTES: usize = 50;
 /// Reads an STL file.
 ///
 /// The word `solid` at the beginning proves nothing, as binary headers may hold it too. A file is
-/// binary if it is as long as a binary file should be. It is also binary if it does not read as
-/// text and has a zero byte, as no text has.
+/// binary if it is as long as a binary file should be, padding aside. It is also binary if it does
+/// not read as text and has a zero byte, as no text has.
 pub(super) fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let binary = read_binary(bytes);
     if binary.is_ok() || matches!(binary, Err(MeshError::TooLarge)) {
         return binary;
     }
-    let text = read_text(bytes);
+    let text = Text { tokens: Tokens::new(bytes), has_colours: false }.read();
     if text.is_err() && memchr::memchr(0, bytes).is_some() { binary } else { text }
 }
 
@@ -32,119 +32,144 @@ fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
         return Err(tokens::truncated("the header"));
     };
     let count = u32::from_le_bytes([header[80], header[81], header[82], header[83]]) as usize;
-    let (records, rest) = body.as_chunks::<TRIANGLE_BYTES>();
-    if records.len() < count {
+    let (records, _) = body.as_chunks::<TRIANGLE_BYTES>();
+    let Some(records) = records.get(..count) else {
         return Err(tokens::truncated(format_args!("triangle {} of {count}", records.len() + 1)));
-    }
-    let surplus = (records.len() - count) * TRIANGLE_BYTES + rest.len();
-    if surplus > 0 {
-        let place = Place::Byte(bytes.len() - surplus);
-        let problem = format!("{surplus} bytes after the last of {count} triangles");
+    };
+    let surplus = &body[records.as_flattened().len()..];
+    if !is_padding(surplus) {
+        let place = Place::Byte(bytes.len() - surplus.len());
+        let problem = format!("{} bytes after the last of {count} triangles", surplus.len());
         return Err(MeshError::malformed(place, problem));
     }
-    let mut welder = Welder::with_capacity(count)?;
+    let mut welder = Triangles::with_capacity(count)?;
     for record in records {
         let (values, _) = record.as_chunks::<4>();
         let value = |k: usize| f64::from(f32::from_le_bytes(values[k]));
         // The first three are the normal.
         welder.push([3, 6, 9].map(|k| [value(k), value(k + 1), value(k + 2)]))?;
     }
-    Ok(welder.finish())
+    let mut mesh = welder.finish();
+    if !surplus.is_empty() {
+        mesh.left_out.push("data after the last triangle".into());
+    }
+    Ok(mesh)
 }
 
-fn read_text(bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let mut tokens = Tokens::new(bytes);
-    let mut welder = Welder::with_capacity(0)?;
-    expect(&mut tokens, &["solid"])?;
-    loop {
-        tokens.skip_line(); // The name of the solid, behind `solid` or `endsolid`.
-        while next_is(&mut tokens, &["facet", "endsolid"])? == 0 {
-            welder.push(read_facet(&mut tokens)?)?;
+/// A text file.
+struct Text<'a> {
+    tokens: Tokens<'a>,
+    has_colours: bool,
+}
+
+impl Text<'_> {
+    fn read(mut self) -> Result<Mesh, MeshError> {
+        let mut triangles = Triangles::with_capacity(0)?;
+        self.expect(&["solid"])?;
+        loop {
+            self.tokens.skip_line(); // The name of the solid, behind `solid` or `endsolid`.
+            while self.next_is(&["facet", "endsolid"])? == 0 {
+                triangles.push(self.read_facet()?)?;
+            }
+            self.tokens.skip_line();
+            if is_padding(self.tokens.rest()) {
+                break;
+            }
+            self.expect(&["solid"])?;
         }
-        tokens.skip_line();
-        if tokens.rest().trim_ascii().is_empty() {
-            return Ok(welder.finish());
+        let mut mesh = triangles.finish();
+        if self.has_colours {
+            mesh.left_out.push("colours".into());
         }
-        expect(&mut tokens, &["solid"])?;
+        Ok(mesh)
+    }
+
+    /// Reads one triangle behind the word `facet`.
+    fn read_facet(&mut self) -> Result<[[f64; 3]; 3], MeshError> {
+        self.expect(&["normal"])?;
+        for _ in 0..3 {
+            // Often not even a number, for a triangle without area.
+            self.tokens.read("a component of the normal", |_| Some(()))?;
+        }
+        self.expect(&["outer", "loop"])?;
+        let mut corners = [[0.0; 3]; 3];
+        for corner in &mut corners {
+            self.expect(&["vertex"])?;
+            for coordinate in corner {
+                *coordinate = self.tokens.read("a coordinate", tokens::float)?;
+            }
+        }
+        self.expect(&["endloop", "endfacet"])?;
+        Ok(corners)
+    }
+
+    /// Reads the given words, in whatever case they are written.
+    fn expect(&mut self, words: &[&str]) -> Result<(), MeshError> {
+        words.iter().try_for_each(|word| self.next_is(&[word]).map(|_| ()))
+    }
+
+    /// Reads a word; returns which of `choices` it is. Passes over lines with colours.
+    ///
+    /// Words that begin with `end` may be written as two.
+    fn next_is(&mut self, choices: &[&str]) -> Result<usize, MeshError> {
+        while let Some(word) = self.tokens.next_word() {
+            let is = |text: &str| word.eq_ignore_ascii_case(text.as_bytes());
+            if let Some(choice) = choices.iter().position(|choice| is(choice)) {
+                return Ok(choice);
+            }
+            if is("color") || is("colour") {
+                self.has_colours = true;
+                self.tokens.skip_line();
+                continue;
+            }
+            let first = self.tokens;
+            if is("end")
+                && let Some(second) = self.tokens.next_in_line()
+                && let Some(choice) = choices.iter().position(|choice| is_end_of(choice, second))
+            {
+                return Ok(choice);
+            }
+            return Err(first.unexpected(&listed(choices)));
+        }
+        Err(tokens::truncated(listed(choices)))
     }
 }
 
-/// Reads one triangle behind the word `facet`.
-fn read_facet(tokens: &mut Tokens) -> Result<[[f64; 3]; 3], MeshError> {
-    expect(tokens, &["normal"])?;
-    for _ in 0..3 {
-        // Often not even a number, for a triangle without area.
-        tokens.read("a component of the normal", |_| Some(()))?;
-    }
-    expect(tokens, &["outer", "loop"])?;
-    let mut corners = [[0.0; 3]; 3];
-    for corner in &mut corners {
-        expect(tokens, &["vertex"])?;
-        for coordinate in corner {
-            *coordinate = tokens.read("a coordinate", tokens::float)?;
-        }
-    }
-    expect(tokens, &["endloop", "endfacet"])?;
-    Ok(corners)
+/// Returns whether `word` is what follows `end` in `choice`.
+fn is_end_of(choice: &str, word: &[u8]) -> bool {
+    choice.strip_prefix("end").is_some_and(|end| word.eq_ignore_ascii_case(end.as_bytes()))
 }
 
-/// Reads the given words, in whatever case they are written.
-fn expect(tokens: &mut Tokens, words: &[&str]) -> Result<(), MeshError> {
-    words.iter().try_for_each(|word| next_is(tokens, &[word]).map(|_| ()))
+fn listed(choices: &[&str]) -> String {
+    format!("'{}'", choices.join("' or '"))
 }
 
-/// Reads a word; returns which of `choices` it is.
-fn next_is(tokens: &mut Tokens, choices: &[&str]) -> Result<usize, MeshError> {
-    let is_next = |word: &[u8]| {
-        choices.iter().position(|choice| word.eq_ignore_ascii_case(choice.as_bytes()))
-    };
-    let next = tokens.next_word();
-    next.and_then(is_next).ok_or_else(|| {
-        let expected = format!("'{}'", choices.join("' or '"));
-        if next.is_some() { tokens.unexpected(&expected) } else { tokens::truncated(expected) }
-    })
-}
-
-/// Makes corners at equal coordinates one vertex, in order of first occurrence.
-struct Welder {
-    positions: Vec<[f64; 3]>,
+/// Triangles whose corners at equal coordinates are one vertex.
+struct Triangles {
+    welder: ExactWelder,
     triangles: Vec<[u32; 3]>,
-    vertices: HashMap<[u64; 3], u32>,
 }
 
-impl Welder {
+impl Triangles {
     fn with_capacity(triangles: usize) -> Result<Self, MeshError> {
         if triangles > MAX_CORNERS / 3 {
             return Err(MeshError::TooLarge);
         }
         // A closed surface has about half as many vertices as triangles.
-        let mut vertices = HashMap::default();
-        vertices.reserve(triangles / 2);
-        let positions = Vec::with_capacity(triangles / 2);
-        Ok(Self { positions, triangles: Vec::with_capacity(triangles), vertices })
+        let welder = ExactWelder::with_capacity(triangles / 2);
+        Ok(Self { welder, triangles: Vec::with_capacity(triangles) })
     }
 
     fn push(&mut self, corners: [[f64; 3]; 3]) -> Result<(), MeshError> {
         if self.triangles.len() == MAX_CORNERS / 3 {
             return Err(MeshError::TooLarge);
         }
-        let triangle = corners.map(|position| self.vertex(position));
-        self.triangles.push(triangle);
+        self.triangles.push(corners.map(|position| self.welder.vertex(position)));
         Ok(())
     }
 
-    fn vertex(&mut self, position: [f64; 3]) -> u32 {
-        // Equal bits are equal numbers once -0 + 0 = 0 has removed the one exception; NaN, which
-        // is not equal to itself, is one number for each of its bit patterns.
-        let key = position.map(|coordinate| (coordinate + 0.0).to_bits());
-        *self.vertices.entry(key).or_insert_with(|| {
-            self.positions.push(position);
-            (self.positions.len() - 1) as u32
-        })
-    }
-
     fn finish(self) -> Mesh {
-        Mesh::from_triangles(self.positions, self.triangles)
+        Mesh::from_triangles(self.welder.positions, self.triangles)
     }
 }
 
@@ -218,7 +243,7 @@ mod tests {
     #[test]
     fn a_wrong_length_is_told_in_binary_terms() {
         let mut bytes = binary(b"solid", &[[A, B, C], [C, B, A]]);
-        bytes.push(0);
+        bytes.push(7);
         assert_eq!(problem(&bytes), "byte 184: 1 bytes after the last of 2 triangles");
         assert_eq!(problem(&bytes[..183]), "end of file: truncated file: triangle 2 of 2");
         bytes[80..84].fill(255);
@@ -235,6 +260,37 @@ mod tests {
         assert_eq!(wrong(" endloop", "  vertex"), "line 7: 'vertex' is not 'endloop'");
         assert_eq!(wrong("\nendsolid", "\nend"), "line 9: 'end' is not 'facet' or 'endsolid'");
         assert_eq!(problem(b""), "end of file: truncated file: 'solid'");
+    }
+
+    #[test]
+    fn padding_behind_the_last_triangle_is_noted() {
+        let bytes = binary(b"", &[[A, B, C], [C, B, A]]);
+        for padding in [&b"\n"[..], b"\r\n", b"\0", &[0; 50], &[0; 1000], b" \x1a"] {
+            let mesh = read(&[&bytes, padding].concat()).unwrap();
+            assert_eq!(mesh.faces.len(), 2);
+            assert_eq!(mesh.left_out, ["data after the last triangle"]);
+        }
+        let text = text(&[[A, B, C]]);
+        assert!(read(&[text.as_bytes(), b"\n\0\0\x1a"].concat()).is_ok());
+    }
+
+    #[test]
+    fn dialects_of_text_are_read() {
+        let plain = text(&[[A, B, C], [B, A, D]]);
+        let expected = read(plain.as_bytes()).unwrap();
+        for (from, to) in [
+            ("endsolid", "End Solid"),
+            ("endloop", "end loop"),
+            ("EndFacet", "end  facet"),
+            ("\r\n", "\r"),
+            ("\r\n", "\n"),
+            ("solid two words\r\nfacet", "\u{feff}solid two words\r\nfacet"),
+        ] {
+            assert_eq!(read(plain.replace(from, to).as_bytes()).unwrap(), expected, "{to}");
+        }
+        let coloured = plain.replace("facet normal", "color 1 0 0\rfacet normal");
+        let mesh = read(coloured.as_bytes()).unwrap();
+        assert_eq!((mesh.left_out, mesh.faces), (vec!["colours".into()], expected.faces));
     }
 
     #[test]

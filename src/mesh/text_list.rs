@@ -20,6 +20,13 @@ impl TextList {
         self.ends.is_empty()
     }
 
+    /// Returns the text at `index`, or `None` if there are not so many.
+    pub fn get(&self, index: usize) -> Option<&[u8]> {
+        let end = *self.ends.get(index)?;
+        let start = if index == 0 { 0 } else { self.ends[index - 1] };
+        Some(&self.bytes[start..end])
+    }
+
     /// Appends a text.
     pub fn push(&mut self, text: &[u8]) {
         self.bytes.extend_from_slice(text);
@@ -92,5 +99,7 @@ mod tests {
         let list = TextList::from_iter(texts);
         assert_eq!((list.len(), list.iter().len()), (3, 3));
         assert!(list.iter().eq(texts.map(str::as_bytes)));
+        assert!((0..3).map(|i| list.get(i)).eq(texts.map(|text| Some(text.as_bytes()))));
+        assert_eq!(list.get(3), None);
     }
 }

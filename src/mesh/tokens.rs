@@ -3,6 +3,11 @@
 use std::fmt::Display;
 
 use super::error::{MeshError, Place};
+use super::line_ends;
+use super::text::BYTE_ORDER_MARK;
+
+/// The beginning of what is said where a line lacks a word.
+pub(super) const LINE_ENDS: &str = "the line ends before";
 
 /// Makes the error that the file ends where `missing` should be.
 pub(super) fn truncated(missing: impl Display) -> MeshError {
@@ -11,7 +16,9 @@ pub(super) fn truncated(missing: impl Display) -> MeshError {
 
 /// A text and a position in it. White space separates its words.
 ///
-/// A carriage return is white space like any other, so both kinds of line end are read.
+/// Lines end with line feeds, carriage returns or both, mixed as they may be. A byte-order mark at
+/// the beginning is no part of the text. A comment begins at the start of a word only.
+#[derive(Clone, Copy)]
 pub(super) struct Tokens<'a> {
     bytes: &'a [u8],
     /// First byte behind the current word.
@@ -25,7 +32,8 @@ pub(super) struct Tokens<'a> {
 impl<'a> Tokens<'a> {
     /// Begins a text without comments.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, position: 0, start: 0, comment: None }
+        let position = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
+        Self { bytes, position, start: position, comment: None }
     }
 
     /// Begins a text in which `#` begins a comment.
@@ -40,13 +48,13 @@ impl<'a> Tokens<'a> {
             if word.is_some() || self.position == self.bytes.len() {
                 return word;
             }
-            self.position += 1; // The line feed.
+            self.position += 1; // The line feed or carriage return.
         }
     }
 
     /// Reads the next word of the current line.
     pub(super) fn next_in_line(&mut self) -> Option<&'a [u8]> {
-        let is_blank = |byte: u8| byte.is_ascii_whitespace() && byte != b'\n';
+        let is_blank = |byte: u8| byte.is_ascii_whitespace() && !is_line_end(byte);
         while self.bytes.get(self.position).copied().is_some_and(is_blank) {
             self.position += 1;
         }
@@ -55,16 +63,41 @@ impl<'a> Tokens<'a> {
         }
         self.start = self.position;
         let rest = &self.bytes[self.start..];
-        let comment = self.comment.unwrap_or(b' ');
-        let is_end = |byte: &u8| byte.is_ascii_whitespace() || *byte == comment;
-        let word = &rest[..rest.iter().position(is_end).unwrap_or(rest.len())];
+        let word = &rest[..rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len())];
         self.position += word.len();
         (!word.is_empty()).then_some(word)
     }
 
     /// Moves to the beginning of the next line.
     pub(super) fn skip_line(&mut self) {
-        self.position = self.bytes.len().min(self.line_end() + 1);
+        self.position = self.line_end();
+        self.position += match self.rest() {
+            [b'\r', b'\n', ..] => 2,
+            [_, ..] => 1,
+            [] => 0,
+        };
+    }
+
+    /// Moves behind the line of the current word, where binary data begin.
+    ///
+    /// They may begin with what looks like a line end. So a line feed belongs to the line only if
+    /// nothing but blanks comes before it, and never if `returns_alone` end the lines.
+    pub(super) fn skip_last_line(&mut self, returns_alone: bool) {
+        let rest = self.rest();
+        let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t' | b'\r');
+        let blanks = rest.iter().take_while(|byte| is_blank(byte)).count();
+        if !returns_alone && rest.get(blanks) == Some(&b'\n') {
+            self.position += blanks + 1;
+        } else {
+            self.position = self.bytes.len().min(self.line_end() + 1);
+        }
+    }
+
+    /// Returns whether the current line ends with a carriage return alone.
+    pub(super) fn ends_with_return(&self) -> bool {
+        let rest = &self.bytes[self.line_end()..];
+        let returns = rest.iter().take_while(|&&byte| byte == b'\r').count();
+        returns > 0 && rest.get(returns) != Some(&b'\n')
     }
 
     /// Moves back to byte `offset` of the current word, where the next word begins.
@@ -74,7 +107,7 @@ impl<'a> Tokens<'a> {
 
     fn line_end(&self) -> usize {
         let rest = &self.bytes[self.position..];
-        self.position + memchr::memchr(b'\n', rest).unwrap_or(rest.len())
+        self.position + memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len())
     }
 
     /// Reads the next word, on whatever line it is, by `parse`.
@@ -100,7 +133,7 @@ impl<'a> Tokens<'a> {
         match self.next_in_line() {
             Some(word) => parse(word).ok_or_else(|| self.unexpected(expected)),
             None if self.position == self.bytes.len() => Err(truncated(expected)),
-            None => Err(self.malformed(format!("the line ends before {expected}"))),
+            None => Err(self.malformed(format!("{LINE_ENDS} {expected}"))),
         }
     }
 
@@ -117,7 +150,7 @@ impl<'a> Tokens<'a> {
     /// Makes the error that something is wrong with the line of the current word.
     #[cold]
     pub(super) fn malformed(&self, problem: impl Into<String>) -> MeshError {
-        let line = 1 + memchr::memchr_iter(b'\n', &self.bytes[..self.start]).count();
+        let line = 1 + line_ends::count(&self.bytes[..self.start]);
         MeshError::malformed(Place::Line(line), problem)
     }
 
@@ -130,6 +163,10 @@ impl<'a> Tokens<'a> {
     pub(super) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.position..]
     }
+}
+
+fn is_line_end(byte: u8) -> bool {
+    matches!(byte, b'\n' | b'\r')
 }
 
 /// Parses a number in decimal notation, or an infinity, or NaN.
@@ -169,8 +206,9 @@ mod tests {
 
     #[test]
     fn words_end_at_white_space_and_comments() {
-        let text = b"# one\r\n two\tthree# four\r\n\r\n#\nfive";
-        assert_eq!(words(Tokens::with_comments(text)), ["two", "three", "five"]);
+        let text = b"# one\r\n two\tthree # four\r\n\r\n#\nfive\r# six\r1.#INF";
+        assert_eq!(words(Tokens::with_comments(text)), ["two", "three", "five", "1.#INF"]);
+        assert_eq!(words(Tokens::new(b"\xef\xbb\xbfOFF")), ["OFF"]);
         assert_eq!(words(Tokens::new(b" a #b\n")), ["a", "#b"]);
         assert_eq!(words(Tokens::new(b" \r\n ")), [""; 0]);
     }

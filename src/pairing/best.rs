@@ -13,7 +13,7 @@ use crate::dual::{DualGraph, Matching};
 use crate::matching::weighted::{News, SolveError, solve_cubic};
 use crate::triangulation::{EdgeSet, Triangulation};
 
-/// Pairs the triangles of a closed surface, all of them, as `objective` asks.
+/// Pairs the triangles of a closed surface, all of them, by `objective`.
 ///
 /// `hook` is called between searches and can end the run. Nearly linear time on surfaces, see
 /// [`solve_cubic`]; about 85 bytes a triangle, 130 with edges to keep. No randomness.

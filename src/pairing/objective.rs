@@ -1,4 +1,4 @@
-//! What a best pairing is the best of: costs, edges to keep, triangles that may be left over.
+//! Criteria of a best pairing: costs, edges to keep, triangles that may be left over.
 //!
 //! Criteria that rank above others are prices that no sum of the others reaches. One minimum-cost
 //! matching then answers all of them, and one certificate proves it.
@@ -19,7 +19,7 @@ pub enum Leftover {
     Priced(i32),
 }
 
-/// What is given up for edges to keep.
+/// Sacrifice for edges to keep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Keeping {
     /// As few of them as can be, that all triangles may be paired that can be.
@@ -55,7 +55,7 @@ impl Objective {
         Self::new(costs, EdgeSet::default(), Keeping::AsManyAsCan, Leftover::None)
     }
 
-    /// Asks for the best pairing that keeps edges and leaves triangles as told.
+    /// Makes the objective of the best pairing under these rules for edges and triangles.
     ///
     /// The empty set of edges may be that of any surface. O(n).
     ///
@@ -125,8 +125,8 @@ impl Objective {
         self.price
     }
 
-    /// Returns whether no pair may lie across an edge to keep. At a price for triangles, leaving two
-    /// of them is always cheaper than giving up an edge.
+    /// Returns whether no pair may lie across an edge to keep. At a price for triangles, leaving
+    /// two of them is always cheaper than giving up an edge.
     fn locks(&self) -> bool {
         let priced = matches!(self.leftover, Leftover::Priced(_));
         !self.kept.is_empty() && (self.keeping == Keeping::All || priced)

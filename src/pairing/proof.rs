@@ -9,7 +9,7 @@ use crate::triangulation::HalfEdgeId;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Proof {
-    /// What the matching is the best by.
+    /// Criteria of the matching.
     pub objective: Objective,
     /// Dual values that no other matching can beat.
     pub certificate: Certificate,

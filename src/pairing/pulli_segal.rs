@@ -31,16 +31,15 @@ use crate::triangulation::TriangleId;
 /// is given, else in their order; `random` also chooses which side of a triangle counts as its
 /// first.
 ///
-/// Θ(n) time: a triangle changes its set at most three times. 20 bytes a triangle, and queues as long
-/// as the edge of the paired region.
+/// Θ(n) time: a triangle changes its set at most three times. 20 bytes a triangle, and queues as
+/// long as the edge of the paired region.
 pub fn pulli_segal(graph: &DualGraph, random: Option<&mut Random>) -> Matching {
-    pair_by_priority(RankedGraph::copy_of(graph), random.map(|random| Shuffler::new(random, None)))
-        .1
+    let random = random.map(|random| Shuffler::new(random, None));
+    pair_by_priority(RankedGraph::copy_of(graph), random).1
 }
 
-/// Pairs as [`pulli_segal`] does, in rows that it is given.
-///
-/// Returns them without the ranks, the pairing, and the seconds that shuffles have taken.
+/// Pairs as [`pulli_segal`] does, in rows that it is given. Returns these without the ranks, the
+/// pairing, and the seconds that shuffles have taken.
 pub(super) fn pair_by_priority(
     ranked: RankedGraph,
     random: Option<Shuffler>,

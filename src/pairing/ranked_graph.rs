@@ -7,8 +7,8 @@ use crate::triangulation::{TriangleId, Triangulation};
 /// Number of the priority set of an unpaired triangle; the highest goes first.
 ///
 /// A triangle's priority never falls: edges are locked and never freed. So each triangle enters
-/// each queue at most once, parallel edges apart, and an entry is out of date exactly if the priority
-/// has changed since.
+/// each queue at most once, parallel edges apart, and an entry is out of date exactly if the
+/// priority has changed since.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Priority {
     /// In no set any more: paired, or left alone with no free edge.

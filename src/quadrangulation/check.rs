@@ -79,6 +79,9 @@ pub enum Mismatch {
     /// An edge is passed in one direction only.
     #[error("edge {}-{} belongs to one quad only", .0 + 1, .1 + 1)]
     EdgeOpen(u32, u32),
+    /// A quad is passed in the other direction than the triangles inside it.
+    #[error("quad {} has the opposite orientation of its two triangles", .0 + 1)]
+    Reversed(usize),
     /// A quad is not the union of two triangles across their common edge.
     #[error("quad {} is not two triangles of the triangle mesh joined across an edge", .0 + 1)]
     NotAPair(usize),
@@ -141,7 +144,8 @@ pub fn check(quads: &Mesh, triangles: &Mesh) -> Result<CheckReport, Mismatch> {
 
 /// Checks that two meshes of as many vertices have them in the same places.
 pub(super) fn check_positions(ours: &[[f64; 3]], given: &[[f64; 3]]) -> Result<(), Mismatch> {
-    let bits = |position: &[f64; 3]| position.map(f64::to_bits);
+    // -0 is where 0 is, which adding 0 makes of it; NaN is at the place of an equal NaN.
+    let bits = |position: &[f64; 3]| position.map(|coordinate| (coordinate + 0.0).to_bits());
     let moved = (0..ours.len()).find(|&v| bits(&ours[v]) != bits(&given[v]));
     moved.map_or(Ok(()), |v| Err(Mismatch::Moved(v)))
 }
@@ -151,6 +155,37 @@ pub(super) fn check_positions(ours: &[[f64; 3]], given: &[[f64; 3]]) -> Result<(
 /// # Errors
 /// The first defect found.
 pub(crate) fn check_faces(
+    quads: &Faces,
+    triangles: &Faces,
+    vertices: usize,
+) -> Result<CheckReport, Mismatch> {
+    compare_faces(quads, triangles, vertices)
+        .map_err(|mismatch| explain(mismatch, quads, triangles))
+}
+
+/// Returns what is wrong with a quad that is no pair of triangles, if it is that it is turned.
+fn explain(mismatch: Mismatch, quads: &Faces, triangles: &Faces) -> Mismatch {
+    let Mismatch::NotAPair(index) = mismatch else { return mismatch };
+    let [a, b, c, d] = [0, 1, 2, 3].map(|corner| quads[index][corner]);
+    let is_there = |mut wanted: [u32; 3]| {
+        put_least_first(&mut wanted);
+        triangles.corners().as_chunks::<3>().0.iter().any(|&(mut triangle)| {
+            put_least_first(&mut triangle);
+            triangle == wanted
+        })
+    };
+    let turned_pairs = [[[a, d, c], [a, c, b]], [[b, a, d], [b, d, c]]];
+    let is_turned = turned_pairs.into_iter().any(|pair| pair.into_iter().all(is_there));
+    if is_turned { Mismatch::Reversed(index) } else { mismatch }
+}
+
+/// Rotates a triangle so that its least corner comes first.
+fn put_least_first(triangle: &mut [u32; 3]) {
+    let least = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
+    triangle.rotate_left(least);
+}
+
+fn compare_faces(
     quads: &Faces,
     triangles: &Faces,
     vertices: usize,
@@ -274,7 +309,7 @@ impl<'c, 'm, const ARITY: u32> Star<'c, 'm, ARITY> {
     }
 }
 
-/// What was counted at the vertices of a range.
+/// Counts at the vertices of a range.
 #[derive(Default)]
 struct Found {
     degree_two_vertices: usize,

@@ -29,7 +29,8 @@ pub struct MixedCheck {
 /// use triquad::quadrangulation::check_mixed;
 /// use triquad::{Mesh, mesh::Faces};
 ///
-/// let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.0, 0.0]];
+/// let plane = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [2.0, 1.0]];
+/// let positions = plane.map(|[x, y]| [x, y, 0.0]).to_vec();
 /// let strip = Mesh::from_triangles(positions, vec![[0, 1, 2], [2, 3, 0], [1, 4, 2]]);
 /// let mixed = strip.clone().with_faces(Faces::from_iter([&[0, 1, 2, 3][..], &[1, 4, 2]]));
 /// let report = check_mixed(&mixed, &strip)?.report;

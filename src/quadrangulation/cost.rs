@@ -148,9 +148,9 @@ impl<S: Surface, C: Cost + ?Sized> Valuation<'_, S, C> {
         }
     }
 
-    /// Has the cache fetch what later triangles need, in two steps: a triangle's own corners and the
-    /// sides across, then the corners that those lead to. Scattered numbering takes four times as
-    /// long without.
+    /// Has the cache fetch what later triangles need, in two steps: a triangle's own corners and
+    /// the sides across, then the corners that those lead to. Scattered numbering takes four times
+    /// as long without.
     #[inline]
     fn prefetch_ahead(&self, f: TriangleId) {
         /// Triangles between a step and the next.

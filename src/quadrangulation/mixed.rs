@@ -1,6 +1,7 @@
 //! The faces that an imperfect pairing makes: quads, and the triangles left over.
 
 use super::edge_quad::quad_corners;
+use super::losses::{self, AttributeLosses};
 use crate::dual::Matching;
 use crate::mesh::{Attributes, Faces, Mesh};
 use crate::triangulation::{HalfEdgeId, Surface};
@@ -59,7 +60,8 @@ impl MixedFaces {
         &self.removed
     }
 
-    /// Carries the attributes of `list`, the mesh of the surface, over; `None` if it has none. O(n).
+    /// Carries the attributes of `list`, the mesh of the surface, over; `None` if it has none.
+    /// O(n).
     ///
     /// A corner where both triangles of a quad meet takes the indices of the lower one. A quad
     /// belongs to the sections of its lower triangle.
@@ -71,6 +73,13 @@ impl MixedFaces {
             .collect();
         let face_at = |face: usize| lowest.partition_point(|&triangle| triangle < face);
         Some(super::carry(given, sources, face_at))
+    }
+
+    /// Counts what the quads cannot keep of the attributes of `list`, the mesh of `surface`.
+    /// O(n log s) for s sections.
+    pub fn attribute_losses(&self, surface: &impl Surface, list: &Mesh) -> AttributeLosses {
+        let Some(attributes) = list.attributes() else { return AttributeLosses::default() };
+        losses::count(attributes, surface, surface, &self.removed, HalfEdgeId::index)
     }
 
     /// Takes the faces and drops the rest.

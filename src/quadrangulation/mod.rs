@@ -6,6 +6,7 @@ mod cost;
 mod edge_quad;
 mod keep;
 mod listed_costs;
+mod losses;
 mod mixed;
 pub mod quality;
 mod retriangulation;
@@ -25,9 +26,10 @@ pub use edge_quad::EdgeQuad;
 use edge_quad::quad_corners;
 pub use keep::{Keep, NoSuchEdge};
 pub use listed_costs::{CostCountError, listed_costs};
+pub use losses::{AttributeLosses, Border};
 pub use mixed::MixedFaces;
 pub(crate) use retriangulation::check_retriangulated_faces;
-pub use retriangulation::check_retriangulation;
+pub use retriangulation::{check_retriangulation, common_edges};
 pub use sharp_edges::SharpEdges;
 
 /// A quadrangulation of the surface of a triangulation, on the same vertices.
@@ -110,6 +112,24 @@ impl Quadrangulation {
         let sources = sources.iter().map(|h| h.index());
         let quad_at = |face: usize| self.removed.partition_point(|side| (side.0 / 3) < face as u32);
         Some(carry(given, sources, quad_at))
+    }
+
+    /// Counts what the quads cannot keep of the attributes of `list`. O(n log s) for s sections.
+    ///
+    /// The arguments are those of [`Quadrangulation::carry_attributes`].
+    ///
+    /// # Panics
+    /// If `paired` is not the triangulation of the quads, or `input` has other vertices.
+    pub fn attribute_losses(
+        &self,
+        paired: &Triangulation,
+        input: &Triangulation,
+        list: &Mesh,
+    ) -> AttributeLosses {
+        let Some(attributes) = list.attributes() else { return AttributeLosses::default() };
+        let corners = CornerFinder::new(input);
+        let corner = |h| corners.find(h, paired.origin(h)).index();
+        losses::count(attributes, input, paired, &self.removed, corner)
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::mesh::{Attributes, Mesh, TextList};
 use crate::triangulation::{HalfEdgeId, Surface};
 
-/// What faces and corners of a mesh are labelled with.
+/// Labels of the faces and corners of a mesh.
 pub(super) struct Seams<'m> {
     attributes: &'m Attributes,
     /// For each texture coordinate the first one of equal text.

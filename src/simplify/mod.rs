@@ -10,15 +10,18 @@
 mod key;
 mod placement;
 mod quadric;
+mod rule;
 mod shape;
 mod tournament;
 
 use crate::vector::{Vector, cross, difference, scaled};
 use placement::{Placement, Point};
 use quadric::Quadric;
+use rule::{placement, price};
 use shape::{Face, Limits, STAGES};
 use tournament::Tournament;
 
+pub use rule::Rule;
 pub use shape::Shape;
 
 use crate::mesh::Mesh;
@@ -26,14 +29,14 @@ use crate::triangulation::{
     HalfEdgeId, IdVec, LinkMarks, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
 };
 
-/// Why a triangulation cannot be simplified to the number of vertices asked for.
+/// Reason why a triangulation cannot be simplified to the requested number of vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimplifyError {
     /// There are not as many vertices.
     #[error("{wanted} vertices wanted, but there are only {present}")]
     TooMany {
-        /// Vertices asked for.
+        /// Requested number of vertices.
         wanted: usize,
         /// Vertices there are.
         present: usize,
@@ -45,7 +48,7 @@ pub enum SimplifyError {
          change of topology"
     )]
     Irreducible {
-        /// Vertices asked for.
+        /// Requested number of vertices.
         wanted: usize,
         /// Vertices left.
         reached: usize,
@@ -89,20 +92,6 @@ pub struct Simplifier {
     /// Length of the input, at which prices of all sizes of mesh are alike.
     scale: f64,
     rule: Rule,
-}
-
-/// The order in which edges are contracted, and what else refuses one than the link condition.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Rule {
-    /// By quadric error and, where it is equal, length, shuffled among the nearly equal. Each edge
-    /// goes to its best point. Triangles that would turn over or become needles and vertices of
-    /// large degree are put off.
-    #[default]
-    Guarded,
-    /// By quadric error alone, in the order of the file where it is equal. Each edge goes to its
-    /// better end. The link condition alone refuses. The hierarchies of the papers' boxes are made
-    /// so; degrees reach some hundreds.
-    Plain,
 }
 
 /// Refused edges of vertices of larger degree are priced anew only when nothing else is left.
@@ -319,36 +308,6 @@ impl Simplifier {
                 }
             }
         }
-    }
-}
-
-/// Returns the key of an edge that has not been refused.
-#[inline]
-fn price(
-    rule: Rule,
-    k: &ShrinkingTriangulation,
-    points: &IdVec<VertexId, Point>,
-    h: HalfEdgeId,
-) -> u32 {
-    let cost = placement(rule, k, points, h).cost;
-    match rule {
-        Rule::Guarded => key::shuffled(cost, h.index()),
-        Rule::Plain => key::plain(cost),
-    }
-}
-
-/// Returns the place that `rule` wants for the vertex that the edge of `h` becomes.
-#[inline]
-fn placement(
-    rule: Rule,
-    k: &ShrinkingTriangulation,
-    points: &IdVec<VertexId, Point>,
-    h: HalfEdgeId,
-) -> Placement {
-    let [u, v] = [k.origin(h), k.destination(h)].map(|end| &points[end]);
-    match rule {
-        Rule::Guarded => Placement::best(u, v),
-        Rule::Plain => Placement::cheaper_end(u, v),
     }
 }
 

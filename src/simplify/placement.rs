@@ -59,8 +59,8 @@ impl Placement {
         Self::at(place, u, v, edge, &both, error.max(0.0) + LENGTH * bulk)
     }
 
-    /// Returns the end with the lesser error, the first of two equal ones, at the cost of that error
-    /// alone. O(1).
+    /// Returns the end with the lesser error, the first of two equal ones, at the cost of that
+    /// error alone. O(1).
     pub fn cheaper_end(u: &Point, v: &Point) -> Self {
         let edge = difference(v.position, u.position);
         let both = together(u, v, edge);

@@ -16,8 +16,8 @@ pub struct Quadric {
 }
 
 impl Quadric {
-    /// Makes the quadric of the plane of a triangle through the point counted from, for a third of its area;
-    /// `normal` is the cross product of two sides.
+    /// Makes the quadric of the plane of a triangle through the point counted from, for a third of
+    /// its area; `normal` is the cross product of two sides.
     pub fn from_triangle(normal: Vector) -> Self {
         let twice_area = dot(normal, normal).sqrt();
         if twice_area == 0.0 {

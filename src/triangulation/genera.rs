@@ -3,7 +3,7 @@
 //! A component with Euler characteristic χ and b boundary loops becomes a closed surface when b
 //! discs are glued in. Then χ + b = 2 − 2 g for g handles, or 2 − k for k cross-caps.
 
-use super::survey::SidesByEdge;
+use super::face_sides::SidesByEdge;
 use crate::disjoint_sets::DisjointSets;
 use crate::mesh::Faces;
 

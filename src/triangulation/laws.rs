@@ -106,7 +106,7 @@ impl Law {
             Self::AtMostTwoFaces => {
                 "separate the sheets that meet there, or remove the inner faces"
             }
-            Self::NoBoundary => "close the holes, or weld duplicate vertices if the gaps are seams",
+            Self::NoBoundary => "close the holes, or use --weld if the gaps are seams",
             Self::Orientable => "cut the strip or take the double cover of the surface",
             Self::ConsistentOrientation => "--orient flips faces until they agree",
             Self::OneFan => "give each fan a vertex of its own",

@@ -4,14 +4,15 @@
 //! arithmetic, and a flat array holds the rest: the origin and the twin of every half-edge.
 //! Several components are allowed, each a closed surface; so are vertices that no triangle uses.
 //!
-//! [`OpenTriangulation`] holds surfaces with a boundary and one-sided ones, [`Surface`] is what both
-//! have in common.
+//! [`OpenTriangulation`] holds surfaces with a boundary and one-sided ones, [`Surface`] is what
+//! both have in common.
 
 mod build;
 mod contraction;
 mod counts;
 mod edge_set;
 mod expansion;
+mod face_sides;
 mod flip;
 mod genera;
 mod half_edges;
@@ -19,12 +20,14 @@ mod ids;
 mod laws;
 mod link_condition;
 mod open;
+mod orientation;
 mod receipt;
 mod split_prefetch;
 mod spokes;
 mod surface;
 mod surroundings;
 mod survey;
+mod violations;
 
 pub(crate) use contraction::Contraction;
 pub use contraction::ShrinkingTriangulation;

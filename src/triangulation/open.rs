@@ -34,7 +34,7 @@ impl OpenTriangulation {
         if survey.is_open_surface(false) { Ok(Self::join(list)) } else { Err(Box::new(survey)) }
     }
 
-    /// Joins the triangles of a mesh whose survey says that it is an open surface. O(n log n).
+    /// Joins the triangles of a mesh that is an open surface by its survey. O(n log n).
     pub(crate) fn join(list: &Mesh) -> Self {
         let corners = list.faces().corners();
         let side = |&vertex: &u32| Side { origin: VertexId(vertex), twin: HalfEdgeId::NONE };

@@ -3,9 +3,12 @@
 //! Works on polygons of any size and assumes nothing: edges are found by sorting, orientation and
 //! fans by disjoint sets. O(n log n); not used for valid meshes.
 
+use super::face_sides::SidesByEdge;
 use super::genera::Genera;
 use super::laws::{Element, Law, Violation, is_too_large};
-use crate::disjoint_sets::{DisjointSets, ParitySets};
+use super::orientation::Orientation;
+use super::violations::Violations;
+use crate::disjoint_sets::DisjointSets;
 use crate::mesh::Mesh;
 
 /// Counts and broken laws of an arbitrary, possibly invalid mesh.
@@ -141,35 +144,6 @@ impl Survey {
     }
 }
 
-/// Broken laws while they are being found.
-#[derive(Default)]
-struct Violations(Vec<Violation>);
-
-impl Violations {
-    fn add(&mut self, law: Law, element: Element) {
-        match self.0.iter_mut().find(|violation| violation.law == law) {
-            Some(violation) => violation.count += 1,
-            None => self.0.push(Violation { law, element, count: 1 }),
-        }
-    }
-
-    fn none(&self, law: Law) -> bool {
-        self.0.iter().all(|violation| violation.law != law)
-    }
-
-    /// Returns whether all faces belong to surfaces, open or closed, of one side or two.
-    fn is_surface(&self) -> bool {
-        let harmless =
-            [Law::Triangle, Law::NoBoundary, Law::Orientable, Law::ConsistentOrientation];
-        self.0.iter().all(|violation| harmless.contains(&violation.law))
-    }
-
-    fn into_sorted(mut self) -> Vec<Violation> {
-        self.0.sort_by_key(|violation| violation.law);
-        self.0
-    }
-}
-
 /// Checks vertices and faces one by one. Returns for each face whether it has at least three
 /// distinct, existing corners; only such faces are studied further.
 fn sound_faces(list: &Mesh, violations: &mut Violations) -> Vec<bool> {
@@ -214,7 +188,7 @@ fn find_duplicates(list: &Mesh, sound: &[bool], violations: &mut Violations) {
         corners.sort_unstable();
         corners
     };
-    // A sum does not depend on the order of the corners; equal sums are looked at more closely.
+    // A sum does not depend on the order of the corners; equal sums are compared corner by corner.
     let scramble =
         |&v: &u32| (u64::from(v) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
     let key = |face: usize| list.faces()[face].iter().map(scramble).fold(0, u64::wrapping_add);
@@ -235,133 +209,6 @@ fn find_duplicates(list: &Mesh, sound: &[bool], violations: &mut Violations) {
     }
 }
 
-/// One side of an edge: corner `from` of a face and the next corner `to` of the same face.
-#[derive(Clone, Copy)]
-pub(super) struct FaceSide {
-    pub(super) low: u32,
-    pub(super) high: u32,
-    /// Positions in the list of all corners.
-    from: u32,
-    to: u32,
-    face: u32,
-}
-
-/// All sides of sound faces, those of the same edge next to each other.
-pub(super) struct SidesByEdge(Vec<FaceSide>);
-
-impl SidesByEdge {
-    fn gather(list: &Mesh, sound: &[bool]) -> Self {
-        let corners = list.faces().corners();
-        let mut sides = Vec::with_capacity(corners.len());
-        for face in (0..sound.len()).filter(|&face| sound[face]) {
-            let range = list.faces().range(face);
-            for from in range.clone() {
-                let to = if from + 1 == range.end { range.start } else { from + 1 };
-                let (a, b) = (corners[from], corners[to]);
-                let (low, high) = (a.min(b), a.max(b));
-                sides.push(FaceSide {
-                    low,
-                    high,
-                    from: from as u32,
-                    to: to as u32,
-                    face: face as u32,
-                });
-            }
-        }
-        sides.sort_unstable_by_key(|side| (side.low, side.high, side.from));
-        Self(sides)
-    }
-
-    /// Iterates over the sides of each edge.
-    pub(super) fn groups(&self) -> impl Iterator<Item = &[FaceSide]> {
-        self.0.chunk_by(|a, b| (a.low, a.high) == (b.low, b.high))
-    }
-
-    /// Pairs of sides of the edges that belong to exactly two faces.
-    fn pairs(&self) -> impl Iterator<Item = (&FaceSide, &FaceSide)> {
-        self.groups().filter_map(|group| match group {
-            [one, other] => Some((one, other)),
-            _ => None,
-        })
-    }
-
-    /// Reports edges with one face or more than two, those of the lowest face first.
-    fn check_degrees(&self, violations: &mut Violations) {
-        let mut broken: Vec<&[FaceSide]> = self.groups().filter(|group| group.len() != 2).collect();
-        broken.sort_unstable_by_key(|group| group[0].from);
-        for group in broken {
-            let law = if group.len() == 1 { Law::NoBoundary } else { Law::AtMostTwoFaces };
-            violations.add(law, Element::Edge(group[0].low, group[0].high));
-        }
-    }
-}
-
-/// Faces to flip so that neighbours agree.
-struct Orientation {
-    faces_to_flip: Vec<usize>,
-    /// Some faces of one-sided components, at least one of each.
-    one_sided: Vec<u32>,
-}
-
-impl Orientation {
-    fn new(list: &Mesh, edges: &SidesByEdge, violations: &mut Violations) -> Self {
-        let corners = list.faces().corners();
-        let agree = |one: &FaceSide, other: &FaceSide| {
-            corners[one.from as usize] != corners[other.from as usize]
-        };
-        let mut sets = ParitySets::new(list.faces().len());
-        let mut twisted = Vec::new();
-        let mut disagreeing = Vec::new();
-        for (one, other) in edges.pairs() {
-            let flip = !agree(one, other);
-            if !sets.join(one.face, other.face, flip) {
-                twisted.push(one);
-            }
-            if flip {
-                disagreeing.push(one);
-            }
-        }
-        twisted.sort_unstable_by_key(|side| side.from);
-        for side in &twisted {
-            violations.add(Law::Orientable, Element::Edge(side.low, side.high));
-        }
-        let one_sided: Vec<u32> = twisted.iter().map(|side| side.face).collect();
-        let mut is_one_sided = vec![false; list.faces().len()];
-        for &face in &one_sided {
-            is_one_sided[sets.find(face).0 as usize] = true;
-        }
-        disagreeing.retain(|side| !is_one_sided[sets.find(side.face).0 as usize]);
-        disagreeing.sort_unstable_by_key(|side| side.from);
-        for side in disagreeing {
-            violations.add(Law::ConsistentOrientation, Element::Edge(side.low, side.high));
-        }
-        Self { faces_to_flip: fewest_flips(&mut sets, list.faces().len()), one_sided }
-    }
-}
-
-/// Returns in each set the faces of the rarer parity, or on a tie those unlike the first face.
-fn fewest_flips(sets: &mut ParitySets, faces: usize) -> Vec<usize> {
-    let mut balance = vec![0i64; faces];
-    for face in 0..faces as u32 {
-        let (root, odd) = sets.find(face);
-        balance[root as usize] += if odd { -1 } else { 1 };
-    }
-    let mut first_parity = vec![None; faces];
-    let mut flips = Vec::new();
-    for face in 0..faces as u32 {
-        let (root, odd) = sets.find(face);
-        let first = *first_parity[root as usize].get_or_insert(odd);
-        let keep_odd = match balance[root as usize] {
-            0 => first,
-            balance => balance < 0,
-        };
-        if odd != keep_odd {
-            flips.push(face as usize);
-        }
-    }
-    flips
-}
-
 /// Reports vertices whose faces, joined across edges of two faces, form more than one fan.
 fn check_fans(list: &Mesh, edges: &SidesByEdge, violations: &mut Violations) {
     let corners = list.faces().corners();
@@ -377,7 +224,7 @@ fn check_fans(list: &Mesh, edges: &SidesByEdge, violations: &mut Violations) {
         fans.join(one.to, second);
     }
     let mut fan_count = vec![0u32; list.positions().len()];
-    for side in &edges.0 {
+    for side in edges.all() {
         if fans.find(side.from) == side.from {
             fan_count[vertex(side.from) as usize] += 1;
         }

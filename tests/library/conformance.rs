@@ -10,6 +10,7 @@ use triquad::{
     Algorithm, Augmentation, Converter, Expansion, Mismatch, Quadrangulated, Quadrangulation,
     Triangulation, check, check_retriangulation,
 };
+use triquad_generators::random::Mix;
 use triquad_generators::{Surface, classic, grids};
 
 fn all_settings(seed: u64) -> impl Iterator<Item = Settings> {
@@ -231,6 +232,23 @@ fn unreferenced_vertices_are_kept() {
     // Costs of edges, the search, and the augmentation that finds nothing to do.
     assert_eq!((report.cost_seconds, report.total_seconds()), (0.5, 1.5));
     assert!(check(quads, &list).is_ok());
+}
+
+/// A reading of the clock takes half a second: two more where something is shuffled.
+#[test]
+fn shuffles_are_timed_apart_and_belong_to_the_pairing() {
+    let list = crate::common::face_list(&crate::common::random_of(1, 300, Mix::Balanced, 3));
+    let triangulation = Triangulation::build(&list).unwrap();
+    let seconds = |algorithm| {
+        let clock = SteppingClock::new(0.5);
+        let mut converter = Converter::new().algorithm(algorithm).clock(&clock);
+        let report = converter.quadrangulate(&triangulation).unwrap().report;
+        (report.pairing_seconds, report.shuffle_seconds)
+    };
+    assert_eq!(seconds(Algorithm::SimpleGreedy), (1.5, 0.5));
+    assert_eq!(seconds(Algorithm::EagerRescue), (0.5, 0.0));
+    let (pairing, shuffles) = seconds(Algorithm::PulliSegal);
+    assert!(shuffles <= pairing, "{shuffles} of {pairing}");
 }
 
 #[test]

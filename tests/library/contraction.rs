@@ -23,7 +23,8 @@ fn triangles(k: &ShrinkingTriangulation) -> Vec<[u32; 3]> {
     firsts.map(|h| h.triangle().half_edges().map(|g| k.origin(g).index() as u32)).collect()
 }
 
-/// Whether contracting the edge of `h` leaves a triangulation of the same surface: tried on the list.
+/// Whether contracting the edge of `h` leaves a triangulation of the same surface: tried on the
+/// list.
 fn contraction_is_valid(k: &ShrinkingTriangulation, h: HalfEdgeId) -> bool {
     let [u, v] = [k.origin(h), k.destination(h)].map(|end| end.index() as u32);
     let moved = triangles(k).into_iter().map(|t| t.map(|w| if w == v { u } else { w }));

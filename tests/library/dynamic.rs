@@ -26,8 +26,8 @@ impl NaiveGraph {
         self.edges.iter().flatten().filter_map(across)
     }
 
-    /// All nodes that can be reached from `root`, each after the one that it was reached from, which
-    /// is told beside it.
+    /// All nodes that can be reached from `root`, each after the one that it was reached from,
+    /// which is told beside it.
     fn walk(&self, root: u32) -> Vec<(u32, u32)> {
         let mut reached = vec![(root, root)];
         let mut next = 0;

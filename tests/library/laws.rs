@@ -1,4 +1,5 @@
-//! Building triangulations: what is valid is accepted, and a mutated mesh is refused by the right law.
+//! Building triangulations: what is valid is accepted, and a mutated mesh is refused by the right
+//! law.
 
 use std::collections::HashMap;
 
@@ -167,7 +168,7 @@ fn polygons_are_surveyed_as_they_are() {
     assert_eq!((survey.violations.len(), survey.violations[0].law), (1, Law::Triangle));
     assert_eq!(survey.violations[0].count, 6);
     assert_eq!((survey.edges, survey.euler_characteristic, survey.genus()), (12, 2, Some(0)));
-    list.triangulate();
+    list.triangulate().unwrap();
     assert_eq!(Triangulation::build(&list).unwrap().genus(), 0);
 }
 

@@ -4,6 +4,8 @@ mod auto_traits;
 mod common;
 mod conformance;
 mod contraction;
+#[cfg(feature = "files")]
+mod dialects;
 mod dynamic;
 #[cfg(feature = "files")]
 mod formats;
@@ -11,6 +13,8 @@ mod irreducible;
 mod laws;
 mod matching;
 mod open;
+#[cfg(feature = "files")]
+mod polygons;
 #[cfg(feature = "files")]
 mod real_meshes;
 #[cfg(feature = "files")]

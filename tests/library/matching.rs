@@ -227,7 +227,8 @@ fn long_ladders_need_long_paths() {
             let graph = DualGraph::from_edges(nodes, &edges).unwrap();
             assert_maximum(&graph, nodes / 2);
 
-            // All but one node of each rail's two ends paired along the rails: one path must mend it.
+            // All but one node of each rail's two ends paired along the rails: one path must mend
+            // it.
             let mut shifted = Matching::empty(nodes);
             for rail in [0, length] {
                 let pairs = (1..length - 1).step_by(2).filter(|i| i + 1 < length);

@@ -384,7 +384,7 @@ fn proved(seed: u64) -> (DualGraph, Matching, Proof) {
     let mesh = torn(&random_of(1, 40, Mix::Balanced, seed), seed);
     let mut keep = Keep::default();
     keep.edges = neighbours(&mesh).into_iter().map(|(_, ends)| ends).step_by(3).collect();
-    let converter = Converter::new().open(true).keep(keep).strict(seed % 2 == 0);
+    let converter = Converter::new().open(true).keep(keep).strict(seed.is_multiple_of(2));
     let converted = converter.keep_proof(true).run(&mesh).unwrap();
     let matching = check_mixed(converted.mesh(), &mesh).unwrap().matching;
     let proof = converted.proof().unwrap().clone();

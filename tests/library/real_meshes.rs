@@ -297,7 +297,7 @@ fn defective_meshes_are_refused_for_what_is_wrong_first() {
     for (name, as_read, as_triangles) in FIRST_BROKEN {
         let mut list = catalogue.read(&format!("defective/{name}"));
         assert_eq!(first_broken(&list), as_read, "{name}");
-        list.triangulate();
+        list.triangulate().unwrap();
         assert_eq!(first_broken(&list), as_triangles, "{name} cut into triangles");
     }
 }
@@ -308,7 +308,7 @@ fn defective_meshes_that_can_be_mended_are_converted() {
     let mendable = |law: Option<Law>| law.is_none() || law == Some(Law::ConsistentOrientation);
     for (name, _, broken) in FIRST_BROKEN.into_iter().filter(|(_, _, law)| mendable(*law)) {
         let mut triangles = catalogue.read(&format!("defective/{name}"));
-        triangles.triangulate();
+        triangles.triangulate().unwrap();
         for algorithm in Algorithm::ALL {
             let what = format!("{name} by {algorithm}");
             converted(&triangles, broken.is_some(), algorithm, &what);
@@ -357,7 +357,7 @@ fn surveys_count_what_the_catalogue_measured() {
         let mut list = catalogue.read(file);
         assert_eq!(broken(&Survey::new(&list), Law::Triangle), entry.measured("polys"), "{file}");
         // Everything else was measured on fans of triangles.
-        list.triangulate();
+        list.triangulate().unwrap();
         let survey = Survey::new(&list);
         let table = [
             ("boundary_edges", broken(&survey, Law::NoBoundary)),

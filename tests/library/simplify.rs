@@ -7,12 +7,17 @@ use crate::common::{beside, face_list, special_surfaces};
 use proptest::prelude::*;
 use triquad::Triangulation;
 use triquad::mesh::{Format, Mesh};
-use triquad::simplify::{Shape, Simplifier, SimplifyError};
+use triquad::simplify::{Rule, Shape, Simplifier, SimplifyError};
+use triquad_generators::box_mesh::BoxShape;
 use triquad_generators::{Surface, classic, grids};
 
 fn simplifier(surface: &Surface) -> Simplifier {
+    simplifier_by(Rule::Guarded, surface)
+}
+
+fn simplifier_by(rule: Rule, surface: &Surface) -> Simplifier {
     let list = face_list(surface);
-    Simplifier::new(Triangulation::build(&list).unwrap(), list.positions())
+    Simplifier::with_rule(Triangulation::build(&list).unwrap(), list.positions(), rule)
 }
 
 fn reduced(surface: &Surface, vertices: usize) -> Mesh {
@@ -50,7 +55,11 @@ fn some_edge_is_contractible(list: &Mesh) -> bool {
 
 /// Reduces by `step` vertices at a time until topology forbids more; returns what is then left.
 fn exhaust(surface: &Surface, step: usize, what: &str) -> usize {
-    let mut simplifier = simplifier(surface);
+    exhaust_by(Rule::Guarded, surface, step, what)
+}
+
+fn exhaust_by(rule: Rule, surface: &Surface, step: usize, what: &str) -> usize {
+    let mut simplifier = simplifier_by(rule, surface);
     let (_, input) = rebuilt(&simplifier);
     for wanted in (1..=input.vertex_count()).rev().step_by(step).chain([0]) {
         let outcome = simplifier.reduce_to(wanted);
@@ -76,6 +85,7 @@ fn exhaust(surface: &Surface, step: usize, what: &str) -> usize {
 fn every_target_is_met_or_forbidden_by_topology() {
     for (i, (genus, surface)) in crate::common::many_surfaces(12).enumerate() {
         exhaust(&surface, 1, &format!("surface {i} of genus {genus}"));
+        exhaust_by(Rule::Plain, &surface, 1, &format!("surface {i} of genus {genus}, plainly"));
     }
 }
 
@@ -101,6 +111,22 @@ proptest! {
     #[test]
     fn sculpted_surfaces_are_reduced_as_far_as_they_go(surface in crate::common::sculpted_surface()) {
         exhaust(&surface, 1, "sculpted surface");
+    }
+}
+
+/// Ends of edges only, and flat faces without any error: a cube keeps its corners to the last.
+#[test]
+fn plain_simplification_moves_no_vertex_and_keeps_corners_longest() {
+    let cube = BoxShape { cavities: 0, holes: 0, vertices: 1000 }.surface().unwrap();
+    let mut simplifier = simplifier_by(Rule::Plain, &cube);
+    for vertices in [500, 200] {
+        simplifier.reduce_to(vertices).unwrap();
+        let (left, _) = rebuilt(&simplifier);
+        assert!(left.positions().iter().all(|place| cube.positions.contains(place)));
+        let corners = left.positions().iter().filter(|place| {
+            [0, 1, 2].iter().all(|&axis| place[axis] == 0.0 || place[axis] == [2.0, 2.0, 1.0][axis])
+        });
+        assert_eq!(corners.count(), 8, "{vertices}");
     }
 }
 

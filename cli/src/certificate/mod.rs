@@ -1,6 +1,6 @@
 //! Certificate files: the proof that a pairing is the best, as text.
 //!
-//! A file says what the pairing is the best of, then the dual values that prove it. Lines in order:
+//! A file states the aims of the pairing, then the dual values that prove it. Lines in order:
 //!
 //! ```text
 //! triquad-certificate 1
@@ -25,10 +25,9 @@
 //! Triangles, vertices and sets count from 1. Values are in halves, as those of
 //! [`Certificate`](triquad::matching::weighted::Certificate).
 
+mod format;
 mod read;
 mod write;
 
 pub use read::{Stated, read};
 pub use write::write;
-
-const FIRST_LINE: &str = "triquad-certificate 1";

@@ -8,13 +8,13 @@ use triquad::convert::Aims;
 use triquad::matching::weighted::{Barrier, Certificate, Integers, NONE};
 use triquad::{DefaultCost, ShapeCost};
 
-use super::FIRST_LINE;
+use super::format::FIRST_LINE;
 use crate::failure::Failure;
 
-/// What a certificate states, and its proof.
+/// Statement of a certificate, and its proof.
 pub struct Stated {
     pub aims: Aims<'static>,
-    /// Whether the costs are those of a file of their own.
+    /// True if the costs are those of a file of their own.
     pub costs_are_listed: bool,
     pub certificate: Certificate,
     pub barrier: Option<Barrier>,

@@ -13,6 +13,7 @@ use triquad_render::{Camera, Image, Lines, PictureError, Section};
 
 use crate::failure::Failure;
 use crate::formats::reads;
+use crate::input::Reading;
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 use scene::Scene;
@@ -20,7 +21,7 @@ use scene::Scene;
 /// Draw a mesh: to a PNG file, or here in the terminal
 ///
 /// Without -o the picture is made of half-block characters and fills the window: in 24-bit colour
-/// where COLORTERM says truecolor, else in 256 colours. With NO_COLOR set, or where standard output
+/// where COLORTERM is truecolor, else in 256 colours. With NO_COLOR set, or where standard output
 /// is no terminal, it is plain shades of the characters ░▒▓█; CLICOLOR_FORCE=1 keeps the colours.
 /// Any mesh can be drawn, also one that cannot be converted.
 #[derive(clap::Args)]
@@ -36,8 +37,8 @@ pub struct Arguments {
     /// Draw this mesh too, on the left and from the same side: the triangles that quads come from
     #[arg(long, value_name = "TRIANGLES")]
     against: Option<PathBuf>,
-    /// What colours show: quality (of quads: light blue is square, yellow is askew, orange is nearly
-    /// folded, red is folded) or none
+    /// Meaning of colours: quality (of quads: light blue is square, yellow is askew, orange is
+    /// nearly folded, red is folded) or none
     #[arg(long, visible_alias = "color", default_value = "quality", value_name = "NAME")]
     colour: Colour,
     /// Edges: on or off; by default on in files and off in the terminal
@@ -87,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let status = StatusLine::new("reading the mesh");
     let target = arguments.output.as_deref().map(Target::open).transpose()?;
     let paths = arguments.against.iter().chain([&arguments.input]);
-    let meshes = paths.map(|path| Ok((path.as_path(), input::read(path)?)));
+    let meshes = paths.map(|path| Ok((path.as_path(), input::read(path, Reading::default())?)));
     let meshes: Vec<(&Path, Mesh)> = meshes.collect::<Result<_, Failure>>()?;
     status.say("drawing");
     let size = match &target {

@@ -3,6 +3,8 @@
 mod aims;
 mod conveniences;
 mod defective_meshes;
+#[cfg(unix)]
+mod documents;
 mod experiments;
 mod open;
 mod own_results;

@@ -1,7 +1,8 @@
-//! The job array of experiments/slurm, carried out by a Slurm of its own: two nodes on this machine.
+//! The job array of experiments/slurm, carried out by a Slurm of its own: two nodes on this
+//! machine.
 //!
-//! Skipped where Slurm is not installed or the test is not run by root, which Slurm's daemons need to
-//! be. They listen on 127.0.0.1 alone, and end with the test or after three minutes.
+//! Skipped where Slurm is not installed or the test is not run by root, which Slurm's daemons need
+//! to be. They listen on 127.0.0.1 alone, and end with the test or after three minutes.
 
 use std::collections::BTreeMap;
 use std::fs::Permissions;
@@ -40,8 +41,9 @@ const EXPERIMENT: &str = r#"
 /// Two meshes, four jobs three times and one once.
 const RUNS: usize = 2 * (4 * 3 + 1);
 
-/// A `triquad` that has part 2 killed and queued again the first time that it runs: half of its blocks
-/// are done then, and the process that goes on from there stands still in the midst of the other half.
+/// A `triquad` that has part 2 killed and queued again the first time that it runs: half of its
+/// blocks are done then, and the process that goes on from there stands still in the midst of the
+/// other half.
 const INTERRUPTED: &str = r#"#!/usr/bin/env bash
 if [[ $1 != run || $SLURM_ARRAY_TASK_ID != 2 || -n ${SLURM_RESTART_COUNT:-} ]]; then
     exec TRIQUAD "$@"

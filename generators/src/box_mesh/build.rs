@@ -34,7 +34,7 @@ pub(super) fn surface(shape: &BoxShape) -> Surface {
 
 /// The grid lines across one horizontal axis.
 struct Axis {
-    /// Where they are.
+    /// Positions.
     lines: Vec<f64>,
     /// For each cell between two lines the column of the array it is in, or [`NONE`].
     columns: Vec<u32>,
@@ -58,7 +58,7 @@ impl Axis {
         new
     }
 
-    /// Appends a stretch of cells without its last line, and says where that one is.
+    /// Appends a stretch of cells without its last line, and returns where that one is.
     fn extend(&mut self, start: f64, length: f64, cells: u32, column: u32) -> f64 {
         let end = start + length;
         self.lines.extend((0..cells).map(|step| between([start, end], step, cells)));
@@ -66,8 +66,8 @@ impl Axis {
         end
     }
 
-    /// Whether cells have the other diagonal because of their place in a column, or [`None`]
-    /// between two columns.
+    /// Returns whether cells have the other diagonal because of their place in a column, or
+    /// [`None`] between two columns.
     fn is_turned(&self, cell: usize) -> Option<bool> {
         let start = self.starts.get(self.columns[cell] as usize)?;
         Some(is_turned(cell - start))
@@ -121,7 +121,7 @@ enum Plate {
 }
 
 impl Plate {
-    /// Whether it is open where the array has `place`.
+    /// Returns whether it is open where the array has `place`.
     fn is_open(self, place: Place) -> bool {
         match self {
             Self::Bottom => place == Place::Hole,
@@ -163,7 +163,7 @@ impl Builder {
         }
     }
 
-    /// Whether `plate` is open at a column and a row of the array, which may be [`NONE`].
+    /// Returns whether `plate` is open at a column and a row of the array, which may be [`NONE`].
     fn is_open(&self, plate: Plate, column: u32, row: u32) -> bool {
         let place = || self.places[(row * self.lattice.columns + column) as usize];
         column != NONE && row != NONE && plate.is_open(place())

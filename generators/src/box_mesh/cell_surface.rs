@@ -76,8 +76,8 @@ impl CellSurface {
     }
 
     /// Vertical walls between two closed loops of vertices one above the other, `levels` cells
-    /// high. The outside is to the right of the loops seen from above. `turned` says for each step
-    /// of the loops which diagonal the cells there have.
+    /// high. The outside is to the right of the loops seen from above. `turned` states for each
+    /// step of the loops which diagonal the cells there have.
     pub(super) fn walls(
         &mut self,
         upper: &[u32],

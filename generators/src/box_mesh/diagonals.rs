@@ -22,7 +22,7 @@
 //! floors and where there is no shaft, the strips along y go on, so that vertices of degree 5 and 7
 //! lie on two of the sides.
 
-/// Whether the cells at place `along` of a row along a shaft have the other diagonal.
+/// Returns whether the cells at place `along` of a row along a shaft have the other diagonal.
 pub(super) fn is_turned(along: usize) -> bool {
     along / 2 % 2 == 1
 }

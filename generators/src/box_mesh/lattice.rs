@@ -1,4 +1,4 @@
-//! How many cells each part of a box gets: arithmetic on counts, no geometry.
+//! Cells of each part of a box: arithmetic on counts, no geometry.
 
 use super::shape::BoxShape;
 

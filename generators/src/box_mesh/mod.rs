@@ -2,8 +2,9 @@
 //! array of shafts, each a cavity or a hole (Ramaswami and Siqueira, *irreducible triangulations*,
 //! section 5, Figure 14 and Tables 3 to 5; Lemos, Ramaswami and Siqueira, section 4, Table 4.2).
 //!
-//! The papers print the numbers of vertices and of shafts; the proportions are ours. A shaft is 1
-//! wide and 1/2 away from the next one and from the sides, a cavity is 3/4 deep, the box is 1 high:
+//! The papers print the numbers of vertices and of shafts. [`PaperBox`] is the box that these
+//! determine. [`BoxShape`] has any number of vertices, and proportions of ours: a shaft is 1 wide
+//! and 1/2 away from the next one and from the sides, a cavity is 3/4 deep, the box is 1 high:
 //!
 //! ```text
 //!   +-----+       +-----+             +-----+

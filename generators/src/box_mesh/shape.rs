@@ -1,4 +1,4 @@
-//! What box is wanted, and why there may be none.
+//! Sizes of a box, and reasons why there may be none.
 
 use std::fmt;
 
@@ -14,12 +14,12 @@ pub struct BoxShape {
     pub vertices: u32,
 }
 
-/// Why there is no such box.
+/// Reason why there is no such box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImpossibleBox {
     /// Fewer vertices than the corners of the faces and of the grid through them.
     TooFewVertices {
-        /// What was asked for.
+        /// The requested number.
         vertices: u32,
         /// The least number possible with these cavities and holes, as
         /// [`BoxShape::minimum_vertices`].
@@ -28,7 +28,7 @@ pub enum ImpossibleBox {
     /// A surface like this, or the smallest with these cavities and holes, has more than 2³¹
     /// half-edges.
     TooManyHalfEdges {
-        /// How many it would have.
+        /// Number it would have.
         half_edges: u64,
     },
 }

@@ -37,7 +37,7 @@ impl Noise {
     }
 }
 
-/// How often `radius` can be halved before it is below `finest`.
+/// Number of times that `radius` can be halved before it is below `finest`.
 pub(super) fn octaves(radius: f64, finest: f64) -> u32 {
     (0..31).take_while(|&k| radius >= finest * f64::from(1 << k)).count() as u32
 }

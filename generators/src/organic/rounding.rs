@@ -10,7 +10,7 @@ const ELLIPSOID: [f64; 3] = [1.0, 0.8, 0.6];
 const THICKNESS: f64 = 0.42;
 /// Radius of a hole where it is narrowest.
 const HOLE: f64 = 0.38;
-/// How far the rim of the plate reaches beyond the array of holes.
+/// Reach of the rim of the plate beyond the array of holes.
 const RIM: f64 = 0.4;
 /// How much of the square is used that [`to_disc`] makes round: all of it would flatten the
 /// triangles in its corners.

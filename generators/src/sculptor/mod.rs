@@ -2,7 +2,7 @@
 //!
 //! Every operation takes any `u32` as its place, modulo the number of elements, and leaves a valid
 //! simple closed oriented triangulation. A property test can therefore generate and shrink plain
-//! lists of [`Operation`]s without ever leaving the surfaces it wants to test.
+//! lists of [`Operation`]s without ever leaving the surfaces under test.
 //!
 //! The implementation is deliberately independent of any library it is used to test.
 

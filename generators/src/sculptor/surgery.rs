@@ -29,7 +29,7 @@ impl Sculptor {
         self.half_edges[h].twin = g as u32;
     }
 
-    /// Where `h` starts.
+    /// Origin of `h`.
     pub(super) fn position(&self, h: usize) -> [f64; 3] {
         self.positions[self.origin(h) as usize]
     }
@@ -46,8 +46,8 @@ impl Sculptor {
         total.expect("the half-edges of a surface fit a u32") - more as u32
     }
 
-    /// Whether an edge joins the vertices that `g` and `h` leave. Walks around both in step, so
-    /// the smaller degree counts, and the two chains of memory accesses overlap.
+    /// Returns whether an edge joins the vertices that `g` and `h` leave. Walks around both in
+    /// step, so the smaller degree counts, and the two chains of memory accesses overlap.
     pub(super) fn are_joined(&self, g: usize, h: usize) -> bool {
         let (from_g, from_h) = (self.origin(g), self.origin(h));
         let (mut around_g, mut around_h) = (g, h);

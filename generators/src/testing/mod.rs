@@ -1,4 +1,5 @@
-//! What tests of several crates share: randomness, surfaces by the hundred, and damaged files.
+//! Shared parts of the tests of several crates: randomness, surfaces by the hundred, and damaged
+//! files.
 //!
 //! Behind the feature `testing`, for development dependencies only. Uses the generators, and
 //! `proptest` for surfaces that shrink.

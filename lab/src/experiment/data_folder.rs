@@ -23,7 +23,7 @@ pub struct DataMesh {
     pub triangles: u32,
     /// Genus, where it is a triangulation.
     pub genus: u32,
-    /// Why it cannot be converted, if it cannot.
+    /// Reason why it cannot be converted, if it cannot.
     pub problem: Option<String>,
 }
 
@@ -35,7 +35,7 @@ pub struct DataFolderError {
     error: io::Error,
 }
 
-/// The meshes of data folders, and what is to be said of the folders.
+/// The meshes of data folders, and remarks on the folders.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DataSurvey {
     /// The meshes, in the order of triangles.

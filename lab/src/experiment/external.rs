@@ -27,7 +27,7 @@ pub struct Installed {
     pub hash: String,
 }
 
-/// Why a program cannot be run on this machine.
+/// Reason why a program cannot be run on this machine.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotInstalledError {
     /// Its file is not there.
@@ -43,7 +43,7 @@ pub enum NotInstalledError {
     NoVersion {
         /// The program.
         name: String,
-        /// How it fails.
+        /// The failure.
         reason: String,
     },
 }
@@ -111,7 +111,7 @@ fn version_line(words: &[String], ours: &Path) -> Result<String, String> {
     Ok(line.chars().filter(|letter| !letter.is_control()).take(80).collect())
 }
 
-/// What a run of a program needs.
+/// Inputs of a run of a program.
 pub(super) struct ProgramRun<'a> {
     pub spec: &'a ProgramSpec,
     /// The `triquad` that starts it.

@@ -16,7 +16,7 @@ use crate::whole_file::refuse_link;
 /// Name of the file that is locked; it holds who has the lock.
 const LOCK: &str = ".lock";
 
-/// How long a writer is waited for: one that is just being killed needs a moment.
+/// Time to wait for another writer: one that is just being killed needs a moment.
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// A locked results folder, until it is dropped.
@@ -24,11 +24,11 @@ const PATIENCE: Duration = Duration::from_secs(3);
 pub struct FolderLock {
     /// Kept open: closing it ends the lock.
     _file: File,
-    /// Whether the file system has locks.
+    /// True if the file system has locks.
     pub is_locked: bool,
 }
 
-/// Why a folder cannot be locked.
+/// Reason why a folder cannot be locked.
 #[derive(Debug, thiserror::Error)]
 pub enum FolderLockError {
     /// Another process writes there.

@@ -12,7 +12,7 @@ use crate::nearest::nearest;
 /// Stands for augmentation or order in the records of programs that are not ours.
 const EXTERNAL: &str = "external";
 
-/// What a run does to its mesh.
+/// A job: the work of a run on its mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(try_from = "JobNames<String>", into = "JobNames<&'static str>")]
 pub enum Job {
@@ -32,7 +32,7 @@ pub enum Job {
     },
     /// A program or algorithm that is not ours.
     Program {
-        /// What it makes.
+        /// Its product.
         task: Task,
         /// Its name.
         name: ProgramName,

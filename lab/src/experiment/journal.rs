@@ -25,7 +25,7 @@ pub struct Journal {
     lock: FolderLock,
 }
 
-/// How a run with a row ended.
+/// Outcome of a run with a row.
 #[derive(Debug, PartialEq)]
 enum End {
     /// After its process had begun.
@@ -34,7 +34,7 @@ enum End {
     NotBegun(Outcome, String),
 }
 
-/// Why a results folder cannot be written into.
+/// Reason why a results folder cannot be written into.
 #[derive(Debug, thiserror::Error)]
 pub enum JournalError {
     /// It is another process's, or no folder.

@@ -9,7 +9,7 @@ use super::results::{Results, ResultsError, RunIndex};
 use super::results_files::{merge_plans, write_results};
 use crate::whole_file;
 
-/// Why results cannot be merged.
+/// Reason why results cannot be merged.
 #[derive(Debug, thiserror::Error)]
 pub enum MergeError {
     /// Another process writes into the folder for all of them.

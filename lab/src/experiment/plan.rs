@@ -17,7 +17,7 @@ use triquad::random::Random;
 /// The runs to do, block by block.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// How large the meshes are.
+    /// Size of the meshes.
     pub scale: Scale,
     /// The blocks. What is compared is in one block, so that it runs together on one machine.
     pub blocks: Vec<Block>,
@@ -32,13 +32,13 @@ pub struct Plan {
 pub struct Block {
     /// The mesh in its experiment and group.
     pub id: MeshId,
-    /// Where the mesh comes from.
+    /// Origin of the mesh.
     pub mesh: PlannedMesh,
     /// Repetition, from 0.
     pub repetition: u32,
     /// When a run is stopped.
     pub limits: Limits,
-    /// What is run.
+    /// The jobs.
     pub runs: Vec<PlannedRun>,
     /// The programs of the experiment that are not ours.
     pub programs: Arc<[ProgramSpec]>,

@@ -17,11 +17,11 @@ pub struct PlannedMesh {
     pub triangles: u32,
     /// Genus.
     pub genus: u32,
-    /// Where it comes from.
+    /// Origin.
     pub source: Source,
 }
 
-/// Where a mesh comes from.
+/// Origin of a mesh.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Source {
     /// A file of the user's, and its SHA-256.

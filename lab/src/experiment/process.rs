@@ -25,13 +25,13 @@ pub const INTERRUPTED: i32 = 130;
 /// What Rust, Python and C++ say when memory is refused.
 const OUT_OF_MEMORY: [&str; 3] = ["memory allocation of", "MemoryError", "std::bad_alloc"];
 
-/// How long an interrupt may take from a run's process to this one.
+/// Time that an interrupt may take from a run's process to this one.
 const GRACE: Duration = Duration::from_secs(1);
 
-/// How a run's process ended.
+/// Outcome of a run's process.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ending {
-    /// How it ended.
+    /// Outcome.
     pub outcome: Outcome,
     /// Why, where that is not `ok`.
     pub reason: String,
@@ -41,7 +41,7 @@ pub struct Ending {
     pub peak_memory_bytes: Option<u64>,
 }
 
-/// How often the memory of a program that is not ours is looked up.
+/// Interval at which the memory of an external program is read.
 const SAMPLE_EVERY: Duration = Duration::from_millis(5);
 
 /// Runs `program` with `arguments` and waits for its end.

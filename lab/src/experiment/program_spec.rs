@@ -25,7 +25,7 @@ pub struct ProgramSpec {
     pub name: String,
     /// Command whose first line of output is its version.
     pub version: Option<Words>,
-    /// What it makes.
+    /// Its product.
     pub task: Task,
     /// Command of a run, with places in braces.
     pub command: Words,
@@ -62,7 +62,7 @@ pub enum ProgramFormat {
     Off,
 }
 
-/// What stands for the places of a command.
+/// Values for the places of a command.
 #[derive(Clone, Copy, Debug)]
 pub struct Places<'a> {
     /// `{mesh}`: the triangles.
@@ -75,7 +75,7 @@ pub struct Places<'a> {
     pub seed: u64,
 }
 
-/// What is wrong with the description of a program.
+/// Fault of the description of a program.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ProgramSpecError {
     /// It has no usable name.

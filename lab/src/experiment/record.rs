@@ -10,7 +10,7 @@ use crate::meshes::MeshKind;
 /// Version of the columns.
 pub const SCHEMA: &str = "triquad-run-1";
 
-/// How a run ended.
+/// Outcome of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
@@ -19,7 +19,7 @@ pub enum Outcome {
     Ok,
     /// Stopped when its time was up.
     Timeout,
-    /// Stopped for want of memory.
+    /// Stopped at the memory limit.
     OutOfMemory,
     /// By a signal or an unforeseen error.
     Crash,
@@ -54,10 +54,10 @@ pub struct RunRecord {
     /// Key of the run; runs with equal keys are interchangeable.
     #[serde(skip)]
     pub key: String,
-    /// What was run.
+    /// The job.
     #[serde(skip)]
     pub id: RunId,
-    /// Where the mesh comes from.
+    /// Origin of the mesh.
     #[serde(skip)]
     pub mesh_kind: MeshKind,
     /// SHA-256 of the mesh file, in hexadecimal digits.
@@ -67,9 +67,9 @@ pub struct RunRecord {
     pub repetition: u32,
     /// Seed of the run.
     pub seed: u64,
-    /// How it ended.
+    /// Outcome.
     pub outcome: Outcome,
-    /// Why it ended so, where that is not `ok`.
+    /// Reason of the outcome, if that is not `ok`.
     pub reason: String,
     /// Runs at the same time on the same machine: times of rows above 1 are not ranked.
     pub parallel_jobs: u32,
@@ -102,7 +102,7 @@ struct MeshColumns {
     mesh_sha256: String,
 }
 
-/// Why a line of `runs.csv` is no record.
+/// Reason why a line of `runs.csv` is no record.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum RowError {
     #[error("it is cut off")]

@@ -24,7 +24,7 @@ pub struct Results {
     pub damaged: Vec<DamagedRow>,
     /// Bad rows of runs that ended well at another time: kept, and never counted.
     pub superseded: Vec<RunRecord>,
-    /// Whether the names of the columns were lost: those that we write are taken.
+    /// True if the names of the columns were lost: those that we write are taken.
     pub has_lost_names: bool,
     /// The planned runs, where they are known: a planned run without a row is missing.
     pub planned: Vec<Planned>,
@@ -39,14 +39,14 @@ pub struct DamagedRow {
     pub line: u64,
     /// The line as it is.
     pub text: String,
-    /// What is wrong with it.
+    /// Fault of it.
     pub problem: String,
 }
 
 /// Planned repetitions: a row of `plan.csv`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Planned {
-    /// What is repeated.
+    /// The job that is repeated.
     pub id: RunId,
     /// Number of repetitions, fixed before anything ran.
     pub repetitions: u32,
@@ -72,13 +72,13 @@ impl Planned {
     }
 }
 
-/// Why a results folder cannot be read.
+/// Reason why a results folder cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {error}", path.display())]
 pub struct ResultsError {
     /// The file.
     pub path: PathBuf,
-    /// What is wrong.
+    /// The fault.
     pub error: io::Error,
 }
 
@@ -166,7 +166,7 @@ impl Results {
     }
 }
 
-/// What is wrong with a file that `triquad` has not written.
+/// Fault of a file that `triquad` has not written.
 const FOREIGN: &str = "this is no list of runs of triquad: its first line names no column 'schema'. \
                        It is left as it is";
 

@@ -63,7 +63,7 @@ pub trait RunObserver: Sync {
 /// Age at which a temporary file in the cache, which others may be writing, is a leftover.
 const LEFT_IN_CACHE: Duration = Duration::from_secs(24 * 60 * 60);
 
-/// What the executing of a plan needs throughout.
+/// Shared state while a plan is executed.
 struct Execution<'a, C> {
     runner: &'a Runner,
     programs: Programs,

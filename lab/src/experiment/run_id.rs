@@ -19,11 +19,11 @@ pub struct MeshId {
     pub name: String,
 }
 
-/// What repetitions have in common: a job on a mesh.
+/// Shared part of repetitions: a job on a mesh.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct RunId {
     /// The mesh.
     pub mesh: MeshId,
-    /// What is done to it.
+    /// The job.
     pub job: Job,
 }

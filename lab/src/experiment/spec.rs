@@ -43,9 +43,9 @@ use crate::meshes::paper::Scale;
 pub struct Experiment {
     /// Its name in records.
     pub name: String,
-    /// What it is about, in a line.
+    /// Subject, in a line.
     pub title: String,
-    /// What its runs do.
+    /// Task of its runs.
     pub task: Task,
     /// Master seed.
     pub seed: u64,
@@ -80,10 +80,10 @@ pub struct MeshGroup {
     /// Names of meshes, in any order.
     #[serde(default)]
     pub meshes: Vec<String>,
-    /// Whether every other mesh in the data folders belongs to it.
+    /// True if every other mesh in the data folders belongs to it.
     #[serde(default)]
     pub other_data: bool,
-    /// What is run.
+    /// The jobs.
     #[serde(rename = "run")]
     pub runs: Vec<RunSpec>,
 }
@@ -100,9 +100,9 @@ pub struct RunSpec {
     /// For irreducible triangulations.
     #[serde(default)]
     pub orders: Vec<String>,
-    /// How often, by scale.
+    /// Repetitions, by scale.
     pub repetitions: Repetitions,
-    /// How often instead for some meshes, at full scale.
+    /// Repetitions for some meshes, at full scale.
     #[serde(default)]
     pub fewer: BTreeMap<String, u32>,
     /// Augmenting paths after which to stop for some meshes, at full scale.
@@ -110,7 +110,7 @@ pub struct RunSpec {
     pub stop_after_paths: BTreeMap<String, u64>,
 }
 
-/// How often something is run at each scale.
+/// Repetitions at each scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Repetitions {
@@ -122,7 +122,7 @@ pub struct Repetitions {
     pub demo: u32,
 }
 
-/// What is wrong with an experiment file.
+/// Fault of an experiment file.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {error}", path.display())]
 pub struct SpecFileError {
@@ -130,7 +130,7 @@ pub struct SpecFileError {
     error: SpecError,
 }
 
-/// What is wrong with an experiment.
+/// Fault of an experiment.
 #[derive(Debug, thiserror::Error)]
 pub enum SpecError {
     /// The file cannot be read.

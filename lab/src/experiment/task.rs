@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-/// What the runs of an experiment do.
+/// Task of the runs of an experiment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Task {

@@ -13,7 +13,7 @@ use triquad::{Mesh, Mismatch, Survey, Triangulation, check};
 use super::measured::Measured;
 use super::task::Task;
 
-/// What is wrong with a result. Faces and vertices count from 1.
+/// Fault of a result. Faces and vertices count from 1.
 #[derive(Debug, thiserror::Error)]
 pub enum ResultError {
     /// The input is no triangulation.
@@ -152,7 +152,7 @@ fn cover(input: &Mesh, result: &Mesh) -> Result<usize, ResultError> {
     uncovered.map_or(Ok(left), |triangle| Err(ResultError::Uncovered(triangle)))
 }
 
-/// What is wrong with a face.
+/// Fault of a face.
 enum Fault {
     Foreign,
     Twice,
@@ -201,7 +201,7 @@ mod tests {
     }
 
     fn converted() -> Vec<Vec<u32>> {
-        let quads = Converter::new().run(&input()).unwrap().into_mesh();
+        let quads = Converter::new().run(input()).unwrap().into_mesh();
         quads.faces().into_iter().map(<[u32]>::to_vec).collect()
     }
 

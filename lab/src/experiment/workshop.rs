@@ -17,7 +17,7 @@ use super::run::Runner;
 use super::spec::Limits;
 use crate::meshes::paper::{PaperMesh, Scale};
 
-/// Why a run has no mesh.
+/// Reason why a run has no mesh.
 #[derive(Clone, Debug, thiserror::Error)]
 pub(super) enum MeshFileError {
     #[error("the mesh could not be made: {0}")]

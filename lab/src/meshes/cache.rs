@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use super::paper::{self, PaperMesh, Scale};
 use super::recipe::{GenerateError, Recipe, paper_box, simplified};
-use triquad::mesh::{Mesh, MeshError, Output};
+use super::sealed::{self, SealedOutput};
+use triquad::mesh::{Mesh, MeshError};
 use triquad::simplify::Rule;
 use triquad_generators::box_mesh::{PaperBox, Walls};
 
@@ -35,8 +36,8 @@ impl Cache {
         if !recipe.is_costly() {
             return recipe.make();
         }
-        // What cannot be read, damaged perhaps, is made anew.
-        if let Ok(list) = Mesh::read(self.file(recipe)) {
+        // What is damaged, or another mesh, is made anew.
+        if let Some(list) = sealed::read(&self.file(recipe)) {
             return Ok(list);
         }
         // Before the work starts, so that it is not in vain.
@@ -56,9 +57,9 @@ impl Cache {
         self.folder.join(format!("{}-e{EDITION}.ply", recipe.key()))
     }
 
-    fn open(&self, recipe: &Recipe) -> Result<Output, GenerateError> {
+    fn open(&self, recipe: &Recipe) -> Result<SealedOutput, GenerateError> {
         let folder = std::fs::create_dir_all(&self.folder).map_err(MeshError::from);
-        folder.and_then(|()| Output::create(self.file(recipe))).map_err(|error| self.failure(error))
+        folder.and_then(|()| sealed::create(self.file(recipe))).map_err(|error| self.failure(error))
     }
 
     fn failure(&self, error: MeshError) -> GenerateError {

@@ -7,6 +7,7 @@
 mod cache;
 pub mod paper;
 mod recipe;
+mod sealed;
 
 pub use cache::Cache;
 pub use recipe::{GenerateError, MeshKind, Recipe};

@@ -13,11 +13,11 @@ pub struct PaperMesh {
     pub genus: u32,
     /// Vertices as printed.
     pub vertices: u32,
-    /// How its like is made.
+    /// Its recipe.
     pub recipe: Recipe,
 }
 
-/// How large the papers' meshes are made.
+/// Size of the papers' meshes.
 #[derive(
     Clone,
     Copy,

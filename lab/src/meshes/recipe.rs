@@ -1,4 +1,4 @@
-//! What fixes a mesh: recipes, and the kinds of meshes in records.
+//! Definitions of meshes: recipes, and the kinds of meshes in records.
 
 use std::path::PathBuf;
 
@@ -47,7 +47,7 @@ const OVERSAMPLING: u64 = 3;
 /// Everything that fixes the bytes of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recipe {
-    /// A box with shafts and as many vertices as asked for.
+    /// A box with shafts and an exact number of vertices.
     Box(BoxShape),
     /// A box of the papers' kind (Lemos et al., section 4; Ramaswami-Siqueira, section 5.1).
     PaperBox {
@@ -77,7 +77,7 @@ pub enum Recipe {
     },
 }
 
-/// Why a mesh cannot be made.
+/// Reason why a mesh cannot be made.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GenerateError {
@@ -93,15 +93,15 @@ pub enum GenerateError {
     /// A stand-in's source would have too many half-edges.
     #[error("the stand-in would be simplified from {half_edges} half-edges, more than 2^31")]
     TooLarge {
-        /// How many it would have.
+        /// Number it would have.
         half_edges: u64,
     },
     /// The cache could not be written.
     #[error("the cache in {}: {error}", folder.display())]
     Cache {
-        /// Where the cache is.
+        /// Folder of the cache.
         folder: PathBuf,
-        /// What is wrong.
+        /// The fault.
         error: MeshError,
     },
 }
@@ -170,8 +170,8 @@ fn stand_in_source(vertices: u32, genus: u32, seed: u64) -> Result<Mesh, Generat
     Ok(into_list(organic::surface(genus, source, &mut |bound| random.below(bound))))
 }
 
-/// Simplifies `list` by `rule` to `vertices`, and calls `on_the_way` with the mesh at each of `stops`,
-/// descending.
+/// Simplifies `list` by `rule` to `vertices`, and calls `on_the_way` with the mesh at each of
+/// `stops`, descending.
 pub(super) fn simplified(
     list: &Mesh,
     rule: Rule,

@@ -1,4 +1,5 @@
-//! What the two papers print: their tables row by row, and what is known to be wrong with them.
+//! Printed content of the two papers: their tables row by row, and what is known to be wrong with
+//! them.
 //!
 //! The files are part of the program; `experiments/paper/README.md` explains every column.
 //! `tests/lab/paper_tables/` recomputes them and finds exactly the rows whose errata are not empty.
@@ -25,7 +26,7 @@ pub enum Paper {
     Irreducible,
 }
 
-/// What the rows of a table are.
+/// Content of the rows of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TableKind {
     /// [`MeshRow`]s.

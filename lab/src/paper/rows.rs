@@ -19,7 +19,7 @@ pub struct MeshRow {
     pub triangles: u32,
     /// g.
     pub genus: u32,
-    /// What is wrong with the row, or empty.
+    /// The error in the row, or empty.
     pub errata: String,
 }
 
@@ -42,7 +42,7 @@ pub struct PairingRow {
     pub augmentation_seconds: f64,
     /// (e): (a) + (d).
     pub total_seconds: f64,
-    /// What is wrong with the row, or empty.
+    /// The error in the row, or empty.
     pub errata: String,
 }
 
@@ -64,7 +64,7 @@ pub struct LinkTestRow {
     pub schipper_edges_tested_more_than_once: f64,
     /// ε_bf.
     pub brute_force_edges_tested_more_than_once: f64,
-    /// What is wrong with the row, or empty.
+    /// The error in the row, or empty.
     pub errata: String,
 }
 
@@ -87,7 +87,7 @@ pub struct RatioRow {
     pub brute_force_to_rs_seconds: f64,
     /// t_s/t_bf.
     pub schipper_to_brute_force_seconds: f64,
-    /// What is wrong with the row, or empty.
+    /// The error in the row, or empty.
     pub errata: String,
 }
 

@@ -25,7 +25,7 @@ use crate::experiment::planned_mesh::{PlannedMesh, Source};
 use crate::meshes::{Cache, GenerateError};
 use crate::whole_file;
 
-/// Why a mesh is not drawn.
+/// Reason why a mesh is not drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum DrawError {
     /// Its file cannot be read.
@@ -33,7 +33,7 @@ pub enum DrawError {
     Read {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// The fault.
         error: MeshError,
     },
     /// It cannot be made.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::meshes::MeshKind;
 use crate::{csv_text, whole_file};
 
-/// What a picture shows.
+/// Subject of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Subject {
@@ -19,7 +19,7 @@ pub enum Subject {
     Box,
 }
 
-/// How much of a mesh is seen.
+/// Visible part of a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum View {
@@ -48,13 +48,13 @@ impl View {
 pub struct PictureRecord {
     /// Name of the file, beside `pictures.csv`.
     pub file: String,
-    /// What it shows.
+    /// The subject.
     pub subject: Subject,
-    /// How much of it.
+    /// The visible part.
     pub view: View,
     /// Name of the mesh; empty for the box.
     pub mesh: String,
-    /// Where the mesh comes from.
+    /// Origin of the mesh.
     pub mesh_kind: Option<MeshKind>,
     /// Algorithm and variant, as in experiment files.
     pub algorithm: String,

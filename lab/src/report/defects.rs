@@ -1,4 +1,4 @@
-//! What is missing from a results folder, damaged, or went wrong.
+//! Missing parts of a results folder, damaged ones, and failures.
 
 use std::collections::BTreeSet;
 use std::fmt;

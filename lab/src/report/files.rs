@@ -15,7 +15,7 @@ use crate::pictures::PictureRecord;
 use crate::whole_file::refuse_link;
 use triquad::atomic_file::AtomicFile;
 
-/// How much of a report is written.
+/// Extent of a written report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
     /// Tables and verdicts: soon done.
@@ -36,7 +36,7 @@ struct ReportFile {
 pub struct Report {
     /// The page, if it was written.
     pub page: Option<PathBuf>,
-    /// What is missing or damaged.
+    /// Missing and damaged parts.
     pub defects: Vec<Defect>,
 }
 

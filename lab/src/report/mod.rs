@@ -9,6 +9,7 @@ pub mod baseline;
 pub mod claims;
 pub mod compare;
 pub mod defects;
+pub mod documents;
 pub mod files;
 mod notes;
 mod number;

@@ -1,4 +1,4 @@
-//! What must be known to read a table or plot, worded once.
+//! Notes for reading a table or plot, worded once.
 
 use super::summary::Cell;
 use crate::meshes::paper::Scale;

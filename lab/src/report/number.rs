@@ -1,4 +1,4 @@
-//! How numbers are written in tables: the same digits on every machine.
+//! Numbers in tables: the same digits on every machine.
 
 /// Writes a number of unknown size in four significant digits, with an exponent where it is below
 /// 10^-4 or 10^7 and more.

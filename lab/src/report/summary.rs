@@ -12,12 +12,12 @@ use crate::paper::Paper;
 /// All repetitions of one job on one mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
-    /// What is repeated.
+    /// The job that is repeated.
     pub id: RunId,
     /// Group of the mesh as the paper has it: that of the experiment if the paper has one of that
     /// name, else that of its tables, else `data`.
     pub group: &'static str,
-    /// Where the mesh comes from; `None` where no run of the mesh has a row.
+    /// Origin of the mesh; `None` where no run of the mesh has a row.
     pub mesh_kind: Option<MeshKind>,
     /// Planned repetitions; 0 where no plan names the cell.
     pub repetitions_planned: u32,

@@ -2,6 +2,7 @@
 
 mod claims;
 mod damaged_files;
+mod documents;
 mod figures;
 mod generate;
 mod page;

@@ -15,9 +15,9 @@
 //! edge of level i with both ends in that half; one with its other end outside is the replacement.
 //!
 //! ```text
-//!      smaller half        other half        h rises: to look at it was in vain, which thus happens
-//!       o----o      /        o----o           to it at most log n times
-//!        \ h |   deleted     |    |           g joins the halves: found, no other edge is looked at
+//!      smaller half        other half      h rises: it was visited in vain, which thus happens
+//!       o----o      /        o----o         to it at most log n times
+//!        \ h |   deleted     |    |         g joins the halves: no other edge is visited
 //!         ---o------g--------o----o
 //! ```
 //!
@@ -206,7 +206,7 @@ impl DynamicConnectivity {
     /// its lists.
     ///
     /// A few edges are tried where they are, which costs no more than to find the halves: often one
-    /// of them will do, or there are no others. Otherwise, what is looked at in vain rises to level
+    /// of them will do, or there are no others. Otherwise, what is visited in vain rises to level
     /// i + 1.
     fn replacement(&mut self, halves: [u32; 2], i: u8) -> Option<u32> {
         let [one, other] = halves.map(|half| self.tours.vertex_count(half));

@@ -1,6 +1,6 @@
-//! How far trees grow before they are cut.
+//! Limits at which growing trees are cut.
 
-/// How far trees grow before they are cut. Any choice gives an optimum; only time depends on it.
+/// Limits at which growing trees are cut. Any choice gives an optimum; only time depends on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
     /// Nodes that a tree of the first round may visit.
@@ -23,7 +23,7 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    /// What is fastest on surfaces.
+    /// The fastest limits on surfaces.
     pub(super) const DEFAULT: Self = Self {
         first: 64,
         factor: 4,

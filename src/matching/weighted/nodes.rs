@@ -1,4 +1,4 @@
-//! The nodes of a graph and what a search knows of each, behind one interface.
+//! The nodes of a graph and the state of a search at each, behind one interface.
 //!
 //! An edge is two *half-edges*, one from each end; its halves are *twins*. Half-edges are numbers
 //! from 0 to [`Nodes::codes`]. Each node has one more, to the *ground*: a node whose mate is its
@@ -49,11 +49,11 @@ pub(super) trait Nodes {
 
     /// Returns the number of all nodes.
     fn len(&self) -> u32;
-    /// Returns the nodes that may be looked at and changed here.
+    /// Returns the nodes that may be read and changed here.
     fn range(&self) -> Range<u32>;
     /// Returns whether a node has a neighbour out of range.
     ///
-    /// Such a node may be looked at, but must not change: who has the neighbour relies on it.
+    /// Such a node may be read but must not change: the owner of its neighbour relies on it.
     fn is_on_border(&self, node: u32) -> bool;
     /// Returns the number of half-edges, those to the ground included.
     fn codes(&self) -> u32;
@@ -106,7 +106,7 @@ pub(super) trait Nodes {
         }
     }
 
-    /// Returns whether this half-edge says that its origin has no mate in the graph.
+    /// Returns whether this half-edge marks its origin as one without mate in the graph.
     #[inline]
     fn is_no_mate(&self, mate: u32) -> bool {
         mate == NONE || mate == self.ground(self.origin(mate))

@@ -86,7 +86,7 @@ fn half_phase<N: Number>(
     half_integral(&mut whole, roots, cycles, limits, work, observer)
 }
 
-/// What is left of a part by the first rounds of the half-integral phase.
+/// Rest of a part after the first rounds of the half-integral phase.
 struct Half {
     roots: Roots,
     border: Vec<u32>,
@@ -146,7 +146,7 @@ fn join<N: Number>(
 
 /// Does `work` with as many parts at once as there are threads; passes news on in between.
 ///
-/// Once the observer wants to stop, the rest is done in a hurry: just enough for a valid state.
+/// After the observer has stopped the search, the rest is cut short: just enough for a valid state.
 fn in_batches<P: Send, T: Send>(
     parts: Vec<P>,
     stage: Stage,

@@ -1,4 +1,4 @@
-//! What is given: a graph, an integer cost on every edge, a price for nodes that may stay unpaired.
+//! The problem: a graph, an integer cost on every edge, a price for nodes that may stay unpaired.
 
 /// Stands for "no node": the neighbour across a boundary, the mate of an unpaired node.
 pub const NONE: u32 = u32::MAX;

@@ -13,6 +13,7 @@ pub(super) enum Refusal {
     Asymmetric(u32, u32),
     /// These nodes, some perhaps more than once, show that there is no perfect matching.
     Infeasible(Vec<u32>),
-    /// The observer wants no more. Twice the cost of every perfect matching is at least this.
+    /// The observer has stopped the search. Twice the cost of every perfect matching is at least
+    /// this.
     Stopped(i128),
 }

@@ -29,7 +29,7 @@ pub struct Solution {
     pub certificate: Certificate,
     /// Sum of the costs of all pairs and the prices of all unpaired nodes.
     pub cost: i128,
-    /// What the run did.
+    /// Work of the run.
     pub work: Work,
 }
 

@@ -6,7 +6,7 @@ use super::problem::Problem;
 use super::refusal::Refusal;
 use crate::prefetch::prefetch;
 
-/// What a search knows of a node.
+/// State of a search at a node.
 #[derive(Clone, Copy, Debug)]
 struct Row<N> {
     potential: N,

@@ -2,35 +2,67 @@
 
 use std::io::Read;
 
-use crate::mesh::error::MeshError;
+use super::statements::Continued;
+use crate::mesh::error::{MeshError, Place};
+use crate::mesh::line_ends;
 
-/// Number of bytes asked for at a time.
+/// Number of bytes requested at a time.
 pub(super) const BLOCK: usize = 1 << 20;
 
-/// The text in blocks of whole lines, continued ones joined.
+/// Lines up to this length are read whatever the blocks; continued lines count as one.
+const LONGEST_LINE: usize = 1 << 24;
+
+/// The text in blocks of whole lines that end in line feeds, continued ones joined.
 #[derive(Default)]
 pub(super) struct Blocks {
     buffer: Vec<u8>,
     /// Length of the last block given out, at the front of `buffer`.
     given: usize,
+    /// Length of the front of `buffer` whose line ends are unified.
+    unified: usize,
     lines_given: usize,
     /// Positions in the block of line breaks that were replaced to join lines.
     joined: Vec<usize>,
 }
 
 /// Some whole lines.
+#[derive(Clone, Copy)]
 pub(super) struct Block<'b> {
     pub(super) text: &'b [u8],
     pub(super) lines_before: usize,
     joined: &'b [usize],
 }
 
-impl Block<'_> {
+impl<'b> Block<'b> {
     /// Returns the number in the file of the line at `position`.
-    pub(super) fn line_at(&self, position: usize) -> usize {
-        let breaks = memchr::memchr_iter(b'\n', &self.text[..position]).count();
-        let joined = self.joined.iter().filter(|&&at| at < position).count();
-        self.lines_before + breaks + joined + 1
+    pub(super) fn line_at(self, position: usize) -> usize {
+        self.lines().at(position)
+    }
+
+    /// Returns what finds the lines of ascending positions in one pass.
+    pub(super) fn lines(self) -> Lines<'b> {
+        Lines { block: self, line: self.lines_before + 1, position: 0, joined: 0 }
+    }
+}
+
+/// The lines of positions in a block, asked for in ascending order.
+pub(super) struct Lines<'b> {
+    block: Block<'b>,
+    line: usize,
+    position: usize,
+    joined: usize,
+}
+
+impl Lines<'_> {
+    /// Returns the number in the file of the line at `position`.
+    pub(super) fn at(&mut self, position: usize) -> usize {
+        let Block { text, joined, .. } = self.block;
+        self.line += memchr::memchr_iter(b'\n', &text[self.position..position]).count();
+        let passed = joined[self.joined..].iter().take_while(|&&at| at < position).count();
+        self.line += passed;
+        self.joined += passed;
+        self.position = position;
+        self.line
     }
 }
 
@@ -44,9 +76,15 @@ impl Blocks {
             // Doubling where a line is longer than a block, or searching it would be quadratic.
             input.take(before.max(BLOCK) as u64).read_to_end(&mut self.buffer)?;
             let at_end = self.buffer.len() == before;
-            end = if at_end { self.buffer.len() } else { end_of_whole_lines(&self.buffer) };
+            self.unify_line_ends(at_end);
+            let whole = &self.buffer[..self.unified];
+            end = if at_end { whole.len() } else { end_of_whole_lines(whole) };
             if end > 0 || at_end {
                 break;
+            }
+            if self.buffer.len() > LONGEST_LINE {
+                let problem = format!("a line of more than {LONGEST_LINE} bytes");
+                return Err(MeshError::malformed(Place::Line(self.lines_given + 1), problem));
             }
         }
         self.given = end;
@@ -61,24 +99,49 @@ impl Blocks {
         self.lines_given += memchr::memchr_iter(b'\n', given).count() + self.joined.len();
         self.joined.clear();
         self.buffer.drain(..self.given);
+        self.unified -= self.given;
     }
 
-    /// Replaces each backslash at the end of a line, and the line break, by as many spaces.
+    /// Makes every line that was read end in a line feed.
+    ///
+    /// Carriage returns at the end of what was read wait for what follows them.
+    fn unify_line_ends(&mut self, at_end: bool) {
+        let text = &mut self.buffer[self.unified..];
+        let is_return = |byte: &u8| *byte == b'\r';
+        let waiting =
+            if at_end { 0 } else { text.iter().rev().take_while(|b| is_return(b)).count() };
+        let length = text.len() - waiting;
+        line_ends::unify(&mut text[..length]);
+        self.unified += length;
+    }
+
+    /// Replaces each backslash that continues a line, and the line break, by as many spaces.
+    ///
+    /// Linear: nothing is searched twice.
     fn join_continued_lines(&mut self) {
-        let mut from = 0;
+        let (mut from, mut scanned) = (0, 0);
+        let mut line = None;
         while let Some(found) = memchr::memchr(b'\\', &self.buffer[from..self.given]) {
             let slash = from + found;
-            let length = match self.buffer[slash + 1..self.given] {
-                _ if is_in_comment(&self.buffer, slash) => 0,
-                [b'\n', ..] => 2,
-                [b'\r', b'\n', ..] => 3,
-                _ => 0,
-            };
-            if length > 0 {
+            from = slash + 1;
+            let behind = &self.buffer[slash + 1..self.given];
+            let returns = behind.iter().take_while(|&&byte| byte == b'\r').count();
+            if behind.get(returns) != Some(&b'\n') {
+                continue;
+            }
+            let length = 1 + returns + 1;
+            let start = memchr::memrchr(b'\n', &self.buffer[scanned..slash]);
+            let begun = start.map_or(scanned, |newline| scanned + newline + 1);
+            if start.is_some() || line.is_none() {
+                line = Some(Continued::new(&self.buffer[begun..slash]));
+            }
+            scanned = slash;
+            let next = &self.buffer[slash + length..self.given];
+            if line.is_some_and(|line: Continued| line.goes_on(next)) {
                 self.buffer[slash..slash + length].fill(b' ');
                 self.joined.push(slash + length - 1);
+                scanned = slash + length;
             }
-            from = slash + 1;
         }
     }
 }
@@ -95,10 +158,10 @@ fn is_in_comment(text: &[u8], at: usize) -> bool {
 fn end_of_whole_lines(text: &[u8]) -> usize {
     let mut end = text.len();
     while let Some(at) = memchr::memrchr(b'\n', &text[..end]) {
-        match text[..at] {
-            [.., b'\\'] | [.., b'\\', b'\r'] if !is_in_comment(text, at) => end = at,
-            _ => return at + 1,
+        if !text[..at].trim_ascii_end().ends_with(b"\\") || is_in_comment(text, at) {
+            return at + 1;
         }
+        end = at;
     }
     0
 }

@@ -83,10 +83,16 @@ impl<'t> Cursor<'t> {
         found
     }
 
+    /// Returns whether an index is omitted here: another slash follows, or the word ends.
+    #[inline]
+    pub(super) fn is_omitted(&self) -> bool {
+        matches!(self.rest, [] | [b'/' | b' ' | b'\t' | b'\r' | b'\n', ..])
+    }
+
     #[inline]
     pub(super) fn end_of_word(&self) -> Result<(), Fault> {
         match self.rest {
-            [] | [b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => Ok(()),
+            [] | [b' ' | b'\t' | b'\r' | b'\n', ..] => Ok(()),
             _ => Err(format!("unexpected '{}' in a face", word(self.rest)).into()),
         }
     }
@@ -100,7 +106,7 @@ impl<'t> Cursor<'t> {
         let (value, length) = fast_float2::parse_partial(self.rest)
             .map_err(|_| Fault::from(format!("'{}' is not a number", word(self.rest))))?;
         match self.rest[length..] {
-            [] | [b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => {
+            [] | [b' ' | b'\t' | b'\r' | b'\n', ..] => {
                 self.rest = &self.rest[length..];
                 Ok(value)
             }

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use crate::mesh::attributes::Attributes;
+use crate::mesh::corner_indices::CornerIndices;
 use crate::mesh::polygon_mesh::Mesh;
 use crate::mesh::text_list::TextList;
 
@@ -56,21 +57,25 @@ impl Text<'_> {
         self.end_line()
     }
 
+    /// Writes a face in one form: what not all its corners have is left out.
     fn face(&mut self, mesh: &Mesh, attributes: &Attributes, face: usize) -> io::Result<()> {
+        let corners = mesh.faces.range(face);
+        let is_whole = |indices: &CornerIndices| indices.has_all(corners.clone());
+        let texture = Some(&attributes.corner_texture).filter(|indices| is_whole(indices));
+        let normal = Some(&attributes.corner_normal).filter(|indices| is_whole(indices));
         self.buffer.push(b'f');
-        for corner in mesh.faces.range(face) {
+        for corner in corners {
             self.buffer.push(b' ');
             self.index(mesh.faces.corners()[corner]);
-            match (attributes.corner_texture.get(corner), attributes.corner_normal.get(corner)) {
-                (None, None) => {}
-                (texture, normal) => {
-                    self.buffer.push(b'/');
-                    texture.into_iter().for_each(|index| self.index(index));
-                    if let Some(index) = normal {
-                        self.buffer.push(b'/');
-                        self.index(index);
-                    }
-                }
+            if texture.is_some() || normal.is_some() {
+                self.buffer.push(b'/');
+            }
+            if let Some(index) = texture.and_then(|indices| indices.get(corner)) {
+                self.index(index);
+            }
+            if let Some(index) = normal.and_then(|indices| indices.get(corner)) {
+                self.buffer.push(b'/');
+                self.index(index);
             }
         }
         self.end_line()
@@ -81,13 +86,19 @@ impl Text<'_> {
         self.buffer.extend_from_slice(itoa::Buffer::new().format(from_one).as_bytes());
     }
 
+    /// Writes a line of text; line breaks in it become spaces.
     fn line(&mut self, keyword: &[u8], text: &[u8]) -> io::Result<()> {
+        let is_break = |byte| matches!(byte, b'\n' | b'\r');
         self.buffer.extend_from_slice(keyword);
-        self.buffer.extend_from_slice(text);
+        self.buffer.extend(text.iter().map(|&byte| if is_break(byte) { b' ' } else { byte }));
         self.end_line()
     }
 
+    /// Ends a line, never behind a backslash: that would join the next line to it.
     fn end_line(&mut self) -> io::Result<()> {
+        if self.buffer.ends_with(b"\\") {
+            self.buffer.push(b' ');
+        }
         self.buffer.push(b'\n');
         if self.buffer.len() >= FLUSH_AT { self.flush() } else { Ok(()) }
     }

@@ -93,6 +93,15 @@ impl<const BIG_ENDIAN: bool> Source for Binary<'_, BIG_ENDIAN> {
             .ok_or_else(|| MeshError::malformed(place, format!("{value} is not {expected}")))
     }
 
+    fn index_or_restart(&mut self, kind: Scalar) -> Result<Option<u32>, MeshError> {
+        let position = self.position;
+        if self.value(kind)? == -1.0 {
+            return Ok(None);
+        }
+        self.position = position;
+        self.index(kind, "a vertex index").map(Some)
+    }
+
     fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError> {
         let end = times.checked_mul(kind.size()).and_then(|size| self.position.checked_add(size));
         let end = end.filter(|&end| end <= self.bytes.len());

@@ -1,5 +1,7 @@
 //! The header of a PLY file: the encoding, and which records follow.
 
+use std::collections::HashSet;
+
 use crate::mesh::error::MeshError;
 use crate::mesh::tokens::{self, Tokens};
 
@@ -106,11 +108,16 @@ impl Element {
         axis.filter(|_| is_scalar && self.name == "vertex")
     }
 
-    /// Returns whether a property of `face` is the list of corners.
+    /// Returns whether a property of `face` or `tristrips` is the list of corners.
     pub(super) fn is_corners(&self, property: &Property) -> bool {
-        self.name == "face"
+        ["face", "tristrips"].contains(&self.name.as_str())
             && matches!(property.kind, Kind::List { .. })
             && ["vertex_indices", "vertex_index"].contains(&property.name.as_str())
+    }
+
+    /// Returns for each property whether it is the list of corners, and its kind.
+    pub(super) fn plan(&self) -> Vec<(bool, Kind)> {
+        self.properties.iter().map(|property| (self.is_corners(property), property.kind)).collect()
     }
 
     /// Returns the common type of the coordinates of a `vertex` and their places in a record.
@@ -146,7 +153,9 @@ impl Element {
             "vertex" => ["x", "y", "z"].iter().enumerate().try_for_each(|(axis, name)| {
                 amount(&format!("number {name}"), &|property| self.axis(property) == Some(axis))
             }),
-            "face" => amount("list vertex_indices", &|property| self.is_corners(property)),
+            "face" | "tristrips" => {
+                amount("list vertex_indices", &|property| self.is_corners(property))
+            }
             _ => Ok(()),
         }
     }
@@ -156,7 +165,7 @@ impl Element {
         if self.count == 0 {
             return Vec::new();
         }
-        if !["vertex", "face"].contains(&self.name.as_str()) {
+        if !["vertex", "face", "tristrips"].contains(&self.name.as_str()) {
             return vec![format!("element {}", self.name)];
         }
         let is_kept = |property| self.axis(property).is_some() || self.is_corners(property);
@@ -182,8 +191,10 @@ impl Header {
     /// Reads up to the first byte of data.
     pub(super) fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
         tokens.read("'ply'", |word| (word == b"ply").then_some(()))?;
+        let returns_alone = tokens.ends_with_return();
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
+        let mut names = HashSet::new();
         loop {
             tokens.skip_line();
             match tokens.next_word() {
@@ -192,7 +203,7 @@ impl Header {
                     encoding = Some(tokens.read_in_line("a PLY format", Encoding::named)?);
                 }
                 Some(b"element") => {
-                    close_element(tokens, &elements)?;
+                    close_element(tokens, &elements, &mut names)?;
                     elements.push(Element::read(tokens)?);
                 }
                 Some(b"property") => match elements.last_mut() {
@@ -204,22 +215,24 @@ impl Header {
                 None => return Err(tokens::truncated("end_header")),
             }
         }
-        close_element(tokens, &elements)?;
+        close_element(tokens, &elements, &mut names)?;
         let encoding = encoding.ok_or_else(|| tokens.malformed("no format line before"))?;
         if !elements.iter().any(|element| element.name == "vertex") {
             return Err(tokens.malformed("no element vertex before"));
         }
-        tokens.skip_line();
+        tokens.skip_last_line(returns_alone);
         Ok(Self { encoding, elements })
     }
 }
 
-/// Checks the last of `elements` when all its properties are known.
-fn close_element(tokens: &Tokens, elements: &[Element]) -> Result<(), MeshError> {
-    let Some((last, before)) = elements.split_last() else {
-        return Ok(());
-    };
-    if before.iter().any(|element| element.name == last.name) {
+/// Checks the last of `elements` when all its properties are known; `names` has those before it.
+fn close_element(
+    tokens: &Tokens,
+    elements: &[Element],
+    names: &mut HashSet<String>,
+) -> Result<(), MeshError> {
+    let Some(last) = elements.last() else { return Ok(()) };
+    if !names.insert(last.name.clone()) {
         return Err(tokens.malformed(format!("a second element {} before", last.name)));
     }
     last.check().map_err(|problem| tokens.malformed(format!("{problem}; it ends here")))

@@ -1,11 +1,13 @@
 //! Polygon File Format (`.ply`), as text and binary of both byte orders.
 //!
-//! The header describes the records that follow it. Of these the coordinates of `vertex` and the
-//! corner lists of `face` are kept. Everything else is skipped and named.
+//! The header describes the records that follow it. Of these the coordinates of `vertex`, the
+//! corner lists of `face` and the strips of `tristrips` are kept. Everything else is skipped and
+//! named.
 
 mod binary;
 mod header;
 mod source;
+mod strips;
 #[cfg(test)]
 mod tests;
 
@@ -14,6 +16,7 @@ use std::io::{self, Write};
 use binary::Binary;
 use header::{Element, Encoding, Header, Kind, Scalar};
 use source::Source;
+use strips::read_strips;
 
 use super::error::MeshError;
 use super::faces::{Faces, MAX_CORNERS};
@@ -37,7 +40,8 @@ fn read_elements(header: &Header, source: &mut impl Source) -> Result<Mesh, Mesh
     for element in &header.elements {
         match element.name.as_str() {
             "vertex" => mesh.positions = read_vertices(element, source)?,
-            "face" => mesh.faces = read_faces(element, source)?,
+            "face" => read_faces(element, source, &mut mesh.faces)?,
+            "tristrips" => read_strips(element, source, &mut mesh.faces)?,
             _ => skip_element(element, source)?,
         }
         mesh.left_out.extend(element.left_out());
@@ -51,7 +55,7 @@ fn read_elements(header: &Header, source: &mut impl Source) -> Result<Mesh, Mesh
 fn read_vertices(element: &Element, source: &mut impl Source) -> Result<Vec<[f64; 3]>, MeshError> {
     let plan: Vec<_> =
         element.properties.iter().map(|property| (element.axis(property), property.kind)).collect();
-    // A vertex takes three bytes at least, whatever the header says.
+    // A vertex takes three bytes at least, whatever the header states.
     let mut positions = Vec::with_capacity(element.count.min(source.rest().len() / 3));
     let done = source.whole_vertices(element, &mut positions);
     for_each_record(element, done, || {
@@ -68,28 +72,26 @@ fn read_vertices(element: &Element, source: &mut impl Source) -> Result<Vec<[f64
     Ok(positions)
 }
 
-fn read_faces(element: &Element, source: &mut impl Source) -> Result<Faces, MeshError> {
-    let plan: Vec<_> = element
-        .properties
-        .iter()
-        .map(|property| (element.is_corners(property), property.kind))
-        .collect();
+fn read_faces(
+    element: &Element,
+    source: &mut impl Source,
+    faces: &mut Faces,
+) -> Result<(), MeshError> {
+    let plan = element.plan();
     // A corner takes a byte at least.
-    let corners = element.count.saturating_mul(3).min(source.rest().len());
-    let mut faces = Faces::with_capacity(corners);
-    let done = source.whole_faces(element, &mut faces);
+    faces.reserve(element.count.saturating_mul(3).min(source.rest().len()));
+    let done = source.whole_faces(element, faces);
     for_each_record(element, done, || {
         for &(is_corners, kind) in &plan {
             match kind {
                 Kind::List { count, item } if is_corners => {
-                    read_face(source, count, item, &mut faces)?;
+                    read_face(source, count, item, faces)?;
                 }
                 _ => source.skip_property(kind)?,
             }
         }
         Ok(())
-    })?;
-    Ok(faces)
+    })
 }
 
 #[inline]

@@ -13,6 +13,9 @@ pub(super) trait Source {
     /// Reads the next value, an integer from 0; `expected` names it for the error.
     fn index(&mut self, kind: Scalar, expected: &str) -> Result<u32, MeshError>;
 
+    /// Reads the next value of a strip, a vertex index; none where another strip begins.
+    fn index_or_restart(&mut self, kind: Scalar) -> Result<Option<u32>, MeshError>;
+
     /// Passes over `times` values.
     fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError>;
 
@@ -53,6 +56,15 @@ impl Source for Tokens<'_> {
         self.read(expected, |word| {
             tokens::index(word).or_else(|| tokens::float(word).and_then(exact_index))
         })
+    }
+
+    fn index_or_restart(&mut self, kind: Scalar) -> Result<Option<u32>, MeshError> {
+        let before = *self;
+        if self.next_word() == Some(b"-1") {
+            return Ok(None);
+        }
+        *self = before;
+        self.index(kind, "a vertex index").map(Some)
     }
 
     fn skip(&mut self, _: Scalar, times: usize) -> Result<(), MeshError> {

@@ -118,6 +118,10 @@ impl<S: Source> Source for ByTheValue<S> {
         self.0.index(kind, expected)
     }
 
+    fn index_or_restart(&mut self, kind: Scalar) -> Result<Option<u32>, MeshError> {
+        self.0.index_or_restart(kind)
+    }
+
     fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError> {
         self.0.skip(kind, times)
     }
@@ -286,4 +290,48 @@ fn written_files_read_back_exactly() {
             assert!(text.contains(kind) && text.contains(count));
         }
     }
+}
+
+const STRIPS: &str = "element vertex 0\nproperty int x\nproperty int y\nproperty int z\n\
+    element tristrips 2\nproperty list int int vertex_indices\nend_header\n";
+
+#[test]
+fn strips_turn_every_other_triangle_and_begin_anew() {
+    let values = "i32:9 i32:0 i32:1 i32:2 i32:3 i32:-1 i32:4 i32:5 i32:6 i32:7 \
+                  i32:5 i32:0 i32:1 i32:1 i32:2 i32:3";
+    for bytes in all_encodings(STRIPS, values) {
+        let mesh = read(&bytes).unwrap();
+        let expected = [[0, 1, 2], [2, 1, 3], [4, 5, 6], [6, 5, 7], [1, 2, 3]];
+        assert!(mesh.faces.iter().eq(expected), "{:?}", mesh.faces);
+        assert!(mesh.left_out.is_empty());
+    }
+    let lie = values.replacen("i32:9", "i32:2000000000", 1);
+    for bytes in all_encodings(STRIPS, &lie) {
+        assert!(read(&bytes).is_err());
+    }
+    assert!(problem(&ascii(STRIPS, &values.replace("-1", "-2"))).contains("'-2' is not a vertex"));
+}
+
+#[test]
+fn line_ends_of_all_kinds_are_read() {
+    let values = "i32:10 i32:13 i32:-3 f32:1.0 i32:0";
+    let expected = read(&ascii(TRIANGLE, values)).unwrap();
+    for bytes in all_encodings(TRIANGLE, values) {
+        let end = memchr::memmem::find(&bytes, b"end_header\n").unwrap() + 11;
+        for ending in ["\r", "\r\n", "\r\r\n", "\n"] {
+            let header = String::from_utf8_lossy(&bytes[..end]).replace('\n', ending);
+            let changed = [header.as_bytes(), &bytes[end..]].concat();
+            assert_eq!(read(&changed).unwrap(), expected, "{ending:?}");
+        }
+    }
+}
+
+#[test]
+fn very_many_elements_are_read_and_a_second_one_is_refused() {
+    let names: String = (0..20_000).map(|i| format!("element e{i} 0\n")).collect();
+    let properties = format!("{names}{TRIANGLE}");
+    let values = "i32:0 i32:0 i32:0 f32:1.0 i32:0";
+    assert_eq!(read(&ascii(&properties, values)).unwrap().faces.len(), 1);
+    let twice = format!("element e7 0\n{properties}");
+    assert!(problem(&ascii(&twice, values)).contains("a second element e7 before"));
 }

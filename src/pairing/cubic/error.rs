@@ -1,4 +1,4 @@
-//! Why a graph is refused.
+//! Reason why a graph is refused.
 
 use crate::dual::DualGraphError;
 

@@ -38,10 +38,10 @@
 //! choose: the path w-u=v-x is replaced by one edge, and one of the parallel edges is matched.
 //!
 //! ```text
-//!           p                        There is a bridge exactly if there was one before; and x is not
-//!     w -f- u === v -t- x            w, or the third edge at w would be a bridge. The appendix does not
-//!           q              →         mention this case, but it is needed: in a ring of double edges
-//!     w ------- f' ---- x            joined by single ones, f single, it is the only one.
+//!           p                      There is a bridge exactly if there was one before; x is not w,
+//!     w -f- u === v -t- x          or the third edge at w would be a bridge. The appendix does
+//!           q              →       not mention this case. It is needed: in a ring of double edges
+//!     w ------- f' ---- x          joined by single ones, f single, it is the only one.
 //! ```
 //!
 //! Edges are never made: f' is called f, c' is called c, and the names of e, r, s retire. A receipt

@@ -1,4 +1,4 @@
-//! The rule for trees: with a spanning tree of what is left, no bridge need be looked for.
+//! The rule for trees: with a spanning tree of what is left, no search for bridges is needed.
 
 use super::graph::{Candidate, Reduction};
 use crate::dynamic::LinkCutForest;

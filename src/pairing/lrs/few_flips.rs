@@ -2,7 +2,7 @@
 //! leave to be done (section 5).
 //!
 //! Works on 𝒦 itself. Where a vertex comes back and edges that split are in M, two triangles have
-//! lost their mates. A short search looks for a way to re-pair what is around so that both are
+//! lost their mates. A short search tries to re-pair the surroundings so that both are
 //! paired, and only if there is none are edges flipped as in Algorithm 3.4. Algorithms 3.2 and 3.3
 //! are such searches of length one. At the end, edges are flipped back where another short search
 //! makes up for it: more vertices have come back since, and there are more ways.

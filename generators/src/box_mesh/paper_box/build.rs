@@ -3,22 +3,48 @@
 //! Walls come in slabs along x, those of one shaft in two. So simplification in the order of the
 //! file takes them row by row, as `docs/meshes.md` explains.
 
-use super::super::array::{Place, places};
 use super::super::cell_surface::{CellSurface, Tube};
-use super::shape::{PaperBox, THICKNESS, Walls};
+use super::shape::{ImpossiblePaperBox, PaperBox, THICKNESS, Walls};
 use crate::surface::Surface;
 
-/// The box, which has to be possible. O(vertices).
-pub(super) fn surface(
-    shape: &PaperBox,
-    pattern: Walls,
-    below: &mut dyn FnMut(u32) -> u32,
-) -> Surface {
-    let cavities = shape.shafts.pow(2) - shape.holes;
+impl PaperBox {
+    /// Returns the box: connected, closed, simple, of genus [`PaperBox::holes`], outward, in cells
+    /// of side 1.
+    ///
+    /// The first shafts are one cell from the sides; the two cells that are left along y are behind
+    /// the last. Holes are drawn from the shafts by a fixed hash, those of a box with fewer among
+    /// those of one with more. Plates and floors come first, then the walls in slabs along x.
+    /// `below` draws for [`Walls::Drawn`]: `below(2)` once for each wall.
+    ///
+    /// O(n) time for n vertices; in addition to the surface, 4 bytes for each vertex of a plate.
+    ///
+    /// # Errors
+    /// There is no such box.
+    pub fn surface(
+        &self,
+        walls: Walls,
+        below: &mut dyn FnMut(u32) -> u32,
+    ) -> Result<Surface, ImpossiblePaperBox> {
+        if self.depth == 0 {
+            return Err(ImpossiblePaperBox::NoDepth);
+        }
+        let (holes, shafts) = (self.holes, u64::from(self.shafts).pow(2));
+        if u64::from(holes) > shafts {
+            return Err(ImpossiblePaperBox::TooManyHoles { holes, shafts });
+        }
+        if self.triangles() > (1 << 31) / 3 {
+            return Err(ImpossiblePaperBox::TooManyHalfEdges);
+        }
+        Ok(build(self, walls, below))
+    }
+}
+
+/// Builds the surface of a possible box. O(vertices).
+fn build(shape: &PaperBox, pattern: Walls, below: &mut dyn FnMut(u32) -> u32) -> Surface {
     let mut builder = Builder {
         shape: *shape,
         cells: shape.cells().map(|cells| cells as u32),
-        places: places(shape.shafts, cavities, shape.holes),
+        holes: holes(shape),
         surface: CellSurface::halved(shape.vertices() as usize, shape.triangles() as usize),
         plates: Default::default(),
     };
@@ -37,6 +63,23 @@ pub(super) fn surface(
     surface
 }
 
+/// Returns whether each shaft is a hole: those whose numbers have the least hashes.
+fn holes(shape: &PaperBox) -> Vec<bool> {
+    let mut order: Vec<u32> = (0..shape.shafts.pow(2)).collect();
+    order.sort_unstable_by_key(|&shaft| hash(shaft));
+    let mut holes = vec![false; order.len()];
+    order[..shape.holes as usize].iter().for_each(|&shaft| holes[shaft as usize] = true);
+    holes
+}
+
+/// Returns a number as good as random for each of them, different for different ones.
+fn hash(shaft: u32) -> u32 {
+    let x = shaft.wrapping_mul(0x9e37_79b1).wrapping_add(0x91c3_5f65);
+    let x = (x ^ (x >> 15)).wrapping_mul(0x2c1b_3c6d);
+    let x = (x ^ (x >> 12)).wrapping_mul(0x297a_2d39);
+    x ^ (x >> 15)
+}
+
 /// One of the two plates, and its index in [`Builder::plates`].
 #[derive(Clone, Copy, PartialEq)]
 enum Plate {
@@ -48,7 +91,8 @@ struct Builder {
     shape: PaperBox,
     /// Along x, y and z.
     cells: [u32; 3],
-    places: Vec<Place>,
+    /// True if each shaft is a hole, row by row.
+    holes: Vec<bool>,
     surface: CellSurface,
     /// The lattice vertices of bottom and top, row by row.
     plates: [Vec<u32>; 2],
@@ -72,9 +116,9 @@ impl Builder {
     /// Appends a cell of a plate, if it is closed there.
     fn plate_cell(&mut self, plate: Plate, cell: [u32; 2]) {
         let corners = self.corners(plate, cell);
-        let place = self.shaft_at(cell).map(|shaft| self.places[shaft as usize]);
-        match (plate, place) {
-            (Plate::Bottom, Some(Place::Hole)) | (Plate::Top, Some(_)) => {}
+        let is_hole = self.shaft_at(cell).map(|shaft| self.holes[shaft as usize]);
+        match (plate, is_hole) {
+            (Plate::Bottom, Some(true)) | (Plate::Top, Some(_)) => {}
             (Plate::Bottom, _) => {
                 let [a, b, c, d] = corners;
                 self.surface.quarters([d, c, b, a]);
@@ -101,7 +145,7 @@ impl Builder {
     fn shaft(&mut self, shaft: u32) -> Tube {
         let cell = [shaft % self.shape.shafts, shaft / self.shape.shafts].map(|i| 2 * i + 1);
         let upper = self.corners(Plate::Top, cell);
-        let is_hole = self.places[shaft as usize] == Place::Hole;
+        let is_hole = self.holes[shaft as usize];
         let lower = if is_hole { self.corners(Plate::Bottom, cell) } else { self.floor(upper) };
         let levels = self.shape.depth + if is_hole { THICKNESS } else { 0 };
         // The outside of the surface is the inside of the shaft.

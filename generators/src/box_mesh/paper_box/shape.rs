@@ -2,9 +2,6 @@
 
 use std::fmt;
 
-use super::build;
-use crate::surface::Surface;
-
 /// Cells from the floor of a cavity to the bottom.
 pub(super) const THICKNESS: u32 = 2;
 
@@ -26,8 +23,8 @@ pub struct PaperBox {
     pub holes: u32,
 }
 
-/// The diagonals that cut the cells of walls, outer sides included. All cells of one wall have the same, so that nearly
-/// all vertices there have degree 6.
+/// The diagonals that cut the cells of walls, outer sides included. All cells of one wall have the
+/// same, so that nearly all vertices there have degree 6.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Walls {
     /// `/\/\`: the four walls of a shaft turn by turn.
@@ -41,14 +38,14 @@ pub enum Walls {
     Drawn,
 }
 
-/// Why there is no such box.
+/// Reason why there is no such box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImpossiblePaperBox {
     /// Cavities without depth.
     NoDepth,
     /// More holes than shafts.
     TooManyHoles {
-        /// Holes asked for.
+        /// Requested holes.
         holes: u32,
         /// Shafts there are.
         shafts: u64,
@@ -83,36 +80,6 @@ impl PaperBox {
     pub fn triangles(&self) -> u64 {
         (self.vertices() - 2).saturating_add(2 * u64::from(self.holes)).saturating_mul(2)
     }
-
-    /// Returns the box: connected, closed, simple, of genus [`PaperBox::holes`], outward, in cells
-    /// of side 1.
-    ///
-    /// The first shafts are one cell from the sides; the two cells that are left along y are behind
-    /// the last. Holes are spread over the array, those of a box with fewer among those of one with
-    /// more. Numbers run along the rows of the plates, each shaft after its row. `below` draws for
-    /// [`Walls::Drawn`]: `below(2)` once for each wall.
-    ///
-    /// O(n) time for n vertices; in addition to the surface, 4 bytes for each vertex of a plate.
-    ///
-    /// # Errors
-    /// There is no such box.
-    pub fn surface(
-        &self,
-        walls: Walls,
-        below: &mut dyn FnMut(u32) -> u32,
-    ) -> Result<Surface, ImpossiblePaperBox> {
-        if self.depth == 0 {
-            return Err(ImpossiblePaperBox::NoDepth);
-        }
-        let (holes, shafts) = (self.holes, u64::from(self.shafts).pow(2));
-        if u64::from(holes) > shafts {
-            return Err(ImpossiblePaperBox::TooManyHoles { holes, shafts });
-        }
-        if self.triangles() > (1 << 31) / 3 {
-            return Err(ImpossiblePaperBox::TooManyHalfEdges);
-        }
-        Ok(build::surface(self, walls, below))
-    }
 }
 
 impl Walls {
@@ -129,7 +96,8 @@ impl Walls {
         }
     }
 
-    /// Returns for the four walls round a shaft, or round the box, whether their diagonals are turned.
+    /// Returns for the four walls round a shaft, or round the box, whether their diagonals are
+    /// turned.
     pub(super) fn turned(self, below: &mut dyn FnMut(u32) -> u32) -> [bool; 4] {
         match self {
             Self::Alternating => [true, false, true, false],

@@ -18,13 +18,13 @@ pub struct Expression {
 pub struct Factor {
     /// The algorithm as its paper ran it; `None` for a number of the mesh.
     pub job: Option<Job>,
-    /// Which number.
+    /// The number.
     pub number: &'static Number,
-    /// Whether it divides.
+    /// True if it divides.
     pub divides: bool,
 }
 
-/// Why a text is no expression.
+/// Reason why a text is no expression.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no such number: {0:?}")]
 pub struct ExpressionError(String);

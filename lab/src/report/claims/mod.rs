@@ -1,4 +1,4 @@
-//! What the two papers claim, as data: `experiments/claims.toml`.
+//! Claims of the two papers, as data: `experiments/claims.toml`.
 
 mod expression;
 mod number;
@@ -15,7 +15,7 @@ use crate::paper::{Paper, Table, TableKind};
 /// The text of `experiments/claims.toml`.
 const TEXT: &str = include_str!("../../../experiments/claims.toml");
 
-/// What kind of number a claim is about; each is comparable under other conditions.
+/// Kind of number that a claim is about; each is comparable under other conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ClaimKind {
@@ -41,7 +41,7 @@ impl ClaimKind {
     }
 }
 
-/// What must be the paper's own for a claim to be judged.
+/// Part that must be the paper's own for a claim to be judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Need {
@@ -49,7 +49,7 @@ pub enum Need {
     PaperSize,
 }
 
-/// Where the limits of a test come from.
+/// Origin of the limits of a test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LimitOrigin {
@@ -78,7 +78,7 @@ impl LimitOrigin {
     }
 }
 
-/// What a difference is due to.
+/// Cause of a difference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cause {
@@ -92,7 +92,7 @@ pub enum Cause {
     Implementation,
     /// The claim is about a machine.
     Machine,
-    /// Nobody knows yet.
+    /// Unknown.
     Unknown,
 }
 
@@ -130,37 +130,37 @@ pub struct Claim {
     pub statement: String,
     /// Section, table or figure.
     pub source: String,
-    /// What kind of number it is about.
+    /// Kind of number that it is about.
     pub kind: ClaimKind,
     /// The paper, whose experiment has the records.
     pub experiment: Paper,
     /// Groups of the paper, or names of meshes.
     pub meshes: Vec<String>,
-    /// Whether it stands for a claim about every mesh; `{mesh}` is its name then.
+    /// True if it stands for a claim about every mesh; `{mesh}` is its name then.
     #[serde(default)]
     pub each: bool,
     /// The number that is tested on each mesh.
     pub value: Expression,
     /// The test.
     pub predicate: Predicate,
-    /// Where the limits of the test come from.
+    /// Origin of the limits of the test.
     pub limit: LimitOrigin,
     /// The paper's numbers as it prints them, where they are not in its tables.
     #[serde(default)]
     pub paper: String,
-    /// What must be the paper's own.
+    /// Parts that must be the paper's own.
     #[serde(default)]
     pub needs: Vec<Need>,
     /// The theorem or definition from which it follows.
     #[serde(default)]
     pub by_construction: Option<String>,
-    /// What a difference is due to.
+    /// Cause of a difference.
     #[serde(default)]
     pub cause: Option<Cause>,
-    /// What speaks for this cause.
+    /// Evidence for this cause.
     #[serde(default)]
     pub evidence: String,
-    /// How the paper contradicts the claim itself.
+    /// The contradiction in the paper itself.
     #[serde(default)]
     pub inconsistent: Option<String>,
 }

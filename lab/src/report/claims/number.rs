@@ -8,7 +8,7 @@ pub struct Number {
     /// Its name, that of the column of `runs.csv`; but `augmentation_seconds` and `total_seconds`
     /// are extrapolated where the augmentation was stopped.
     pub name: &'static str,
-    /// Whether it depends on the machine.
+    /// True if it depends on the machine.
     pub is_time: bool,
     /// Takes it from a row.
     pub of: fn(&RunRecord) -> Option<f64>,

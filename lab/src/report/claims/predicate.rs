@@ -26,7 +26,7 @@ pub struct MeshNumber {
     pub genus: f64,
 }
 
-/// Whether a number grows or falls.
+/// Direction in which a number goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Direction {
@@ -36,7 +36,7 @@ pub enum Direction {
     Falls,
 }
 
-/// What must hold.
+/// The test.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Predicate {
@@ -72,9 +72,9 @@ pub enum Predicate {
     },
     /// Rises or falls along a number: in at least `share` of the pairs of meshes that differ in it.
     Monotone {
-        /// What it is drawn against.
+        /// The horizontal axis.
         along: Expression,
-        /// Which way.
+        /// The direction.
         direction: Direction,
         /// 1 for all pairs.
         share: f64,
@@ -116,7 +116,7 @@ pub enum Predicate {
 /// The outcome of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// Whether the points pass.
+    /// True if the points pass.
     pub holds: bool,
     /// The number that decided, or the range of the values, in words.
     pub found: String,
@@ -138,8 +138,9 @@ impl Predicate {
     /// Returns the test with limits that are `slack` times as far away; `None` if it has no limit
     /// that could move.
     ///
-    /// Factors f become 1 + (f - 1) `slack`, intervals grow about their middle, shares of pairs come
-    /// closer to or go farther from all. A lone limit moves by a fifth of itself a unit of slack.
+    /// Factors f become 1 + (f - 1) `slack`, intervals grow about their middle, shares of pairs
+    /// come closer to or go farther from all. A lone limit moves by a fifth of itself a unit of
+    /// slack.
     pub fn with_slack(&self, slack: f64) -> Option<Self> {
         let wider = |factor: f64| 1.0 + (factor - 1.0) * slack;
         let about_middle = |low: f64, high: f64| {

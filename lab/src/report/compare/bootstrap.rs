@@ -1,4 +1,4 @@
-//! How far a product of means may be from the truth, by the bootstrap.
+//! Confidence intervals of products of means, by the bootstrap.
 
 use crate::report::claims::Factor;
 use triquad::random::Random;

@@ -4,12 +4,12 @@ use super::evidence::Evidence;
 use crate::report::claims::{Cause, Claim, ClaimKind, Finding, MeshNumber, Need};
 use crate::report::summary::Summary;
 
-/// What became of a claim.
+/// Verdict on a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
     /// It holds of our records.
     Reproduced,
-    /// It holds of our records, as it must: a theorem or a definition says so.
+    /// It holds of our records, as it must, by a theorem or a definition.
     ByConstruction,
     /// Other runs of the same would decide otherwise too often.
     Undecided,
@@ -145,7 +145,8 @@ pub(super) fn cause(claim: &Claim, ours: &Evidence, test: Option<&Finding>) -> (
     } else {
         broken.iter().collect()
     };
-    if named.iter().all(|mesh| ours.stand_ins.contains(mesh)) {
+    // Times have other reasons too.
+    if !claim.is_about_times() && named.iter().all(|mesh| ours.stand_ins.contains(mesh)) {
         return (Cause::StandIn, "all meshes that break it are stand-ins".into());
     }
     (Cause::Unknown, String::new())

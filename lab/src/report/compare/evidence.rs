@@ -19,13 +19,13 @@ pub struct Evidence {
     pub draws: Vec<Vec<Draw>>,
     /// The meshes among them that are stand-ins.
     pub stand_ins: Vec<String>,
-    /// What is special about some of them.
+    /// Notes on some of them.
     pub remarks: Vec<(String, String)>,
     /// The other meshes, with the reason.
     pub missing: Vec<(String, String)>,
 }
 
-/// Why there is no number.
+/// Reason why there is no number.
 #[derive(Debug, thiserror::Error)]
 enum NoNumberError {
     #[error("divided by 0")]

@@ -27,23 +27,23 @@ use crate::csv_text;
 pub struct Judged {
     /// Short name of the claim.
     pub id: String,
-    /// What is claimed.
+    /// The claim in words.
     pub statement: String,
     /// Where.
     pub source: String,
-    /// What kind of number it is about.
+    /// Kind of number that it is about.
     pub kind: ClaimKind,
-    /// What became of it.
+    /// The verdict.
     pub verdict: Verdict,
     /// Our numbers.
     pub ours: String,
     /// The paper's.
     pub paper: String,
-    /// Why the verdict is what it is.
+    /// Reason of the verdict.
     pub reason: String,
-    /// What a difference is due to, and what speaks for that; of claims that differ only.
+    /// Cause of a difference, and what speaks for that; of claims that differ only.
     pub cause: Option<(Cause, String)>,
-    /// Where the limits of the test come from.
+    /// Origin of the limits of the test.
     pub limit: LimitOrigin,
     /// Our number on every mesh, and the meshes without.
     pub by_mesh: String,

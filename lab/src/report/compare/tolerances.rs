@@ -1,4 +1,4 @@
-//! How each verdict depends on the limits of its test.
+//! Verdicts under other limits of their tests.
 
 use super::decision::{Verdict, decide};
 use super::evidence;
@@ -7,7 +7,7 @@ use crate::csv_text;
 use crate::report::claims::{self, Claim};
 use crate::report::summary::Summary;
 
-/// How far the limits are moved: half as far away, as stated, twice as far, and between.
+/// Factors of the limits: half as far away, as stated, twice as far, and between.
 pub const SLACKS: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.0];
 
 /// A claim under five limits.
@@ -17,7 +17,7 @@ pub struct ToleranceRow {
     pub id: String,
     /// Its limits as stated.
     pub limits: String,
-    /// Where they come from.
+    /// Origin.
     pub origin: &'static str,
     /// The verdict with limits half, three quarters, once, one and a half times and twice as far
     /// away.

@@ -1,4 +1,4 @@
-//! What was found, in five sentences, each with a link to its evidence.
+//! The findings, in five sentences, each with a link to its evidence.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! What must be known before anything is read, and what cannot be concluded.
+//! Notes before reading, and limits of what can be concluded.
 
 use super::parts::Parts;
 use crate::report::notes::Note;

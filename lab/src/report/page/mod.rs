@@ -22,7 +22,7 @@ pub use parts::{Parts, PictureFile};
 
 use super::plots::Plot;
 
-/// What the template is filled with.
+/// Content of the template.
 #[derive(Serialize)]
 struct Page<'a> {
     style: &'static str,

@@ -1,4 +1,4 @@
-//! What the page is made of.
+//! Parts of the page.
 
 use crate::experiment::Results;
 use crate::pictures::PictureRecord;
@@ -11,7 +11,7 @@ use crate::report::tables::ReportTable;
 /// A picture with its record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureFile {
-    /// What it shows.
+    /// The subject.
     pub record: PictureRecord,
     /// The file.
     pub png: Vec<u8>,
@@ -28,12 +28,12 @@ pub struct Parts<'a> {
     pub tables: &'a [ReportTable],
     /// Every verdict.
     pub comparison: &'a Comparison,
-    /// How the verdicts depend on the limits of their tests.
+    /// Verdicts under other limits of their tests.
     pub tolerances: &'a [ToleranceRow],
     /// Every plot that could be made.
     pub plots: &'a [Plot],
     /// Every picture that is there.
     pub pictures: &'a [PictureFile],
-    /// What is missing or damaged.
+    /// Missing and damaged parts.
     pub defects: &'a [Defect],
 }

@@ -25,7 +25,7 @@ pub struct TableView {
 
 #[derive(Clone, Serialize)]
 struct RowView {
-    /// Whether it is the first of its mesh.
+    /// True if it is the first of its mesh.
     first: bool,
     name: String,
     about: &'static str,

@@ -21,9 +21,9 @@ pub struct VerdictGroup<'a> {
 /// Claims of one verdict that belong together.
 #[derive(Serialize)]
 struct VerdictPart<'a> {
-    /// What a difference is due to; empty where there is no difference.
+    /// Cause of a difference; empty where there is no difference.
     cause: String,
-    /// Whether its claims are unfolded: those that differ.
+    /// True if its claims are unfolded: those that differ.
     open: bool,
     claims: Vec<ClaimView<'a>>,
 }

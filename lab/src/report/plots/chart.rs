@@ -10,7 +10,7 @@ use crate::report::number::significant;
 use crate::report::power_law::PowerLaw;
 use crate::report::summary::Cell;
 
-/// What of the papers a plot belongs to.
+/// The part of the papers that a plot belongs to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Counterpart {
     /// Nothing.
@@ -27,11 +27,11 @@ pub enum Counterpart {
 /// A plot before it is drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// What it belongs to.
+    /// The part of the papers that it belongs to.
     pub counterpart: Counterpart,
     /// Name of its files, without the ending.
     pub stem: String,
-    /// How to read it.
+    /// Advice for reading it.
     pub caption: String,
     /// Title over the plot.
     pub title: String,
@@ -51,7 +51,7 @@ pub struct Chart {
     pub bars: Vec<Bar>,
     /// A value of x at which a line is drawn, and what lies on either side of it.
     pub line: Option<(f64, [&'static str; 2])>,
-    /// What has to be known to read the plot; written below it.
+    /// Notes for reading the plot, written below it.
     pub notes: Vec<String>,
 }
 
@@ -62,11 +62,11 @@ pub struct Series {
     pub name: String,
     /// Colour and mark.
     pub look: Look,
-    /// Whether the numbers are the paper's.
+    /// True if the numbers are the paper's.
     pub is_printed: bool,
     /// Points, in the order in which they are joined.
     pub points: Vec<Point>,
-    /// Whether lines join them.
+    /// True if lines join them.
     pub joined: bool,
     /// The power law through them.
     pub fit: Option<PowerLaw>,
@@ -77,7 +77,7 @@ pub struct Series {
 pub struct Point {
     /// Name of the mesh.
     pub mesh: String,
-    /// Where the mesh comes from.
+    /// Origin of the mesh.
     pub mesh_kind: Option<MeshKind>,
     /// Along the bottom.
     pub x: f64,
@@ -85,7 +85,7 @@ pub struct Point {
     pub y: f64,
     /// Least and greatest of the runs, along the side, where that is shown.
     pub range: Option<(f64, f64)>,
-    /// Whether the augmentation was stopped and its time extrapolated.
+    /// True if the augmentation was stopped and its time extrapolated.
     pub extrapolated: bool,
 }
 
@@ -96,7 +96,7 @@ pub struct Bar {
     pub row: usize,
     /// Name of the mesh.
     pub mesh: String,
-    /// Where the mesh comes from.
+    /// Origin of the mesh.
     pub mesh_kind: Option<MeshKind>,
     /// The algorithm, as in tables.
     pub label: String,
@@ -104,7 +104,7 @@ pub struct Bar {
     pub parts: Option<[f64; 2]>,
     /// Written to the right of it.
     pub text: String,
-    /// Whether the augmentation was stopped and its time extrapolated.
+    /// True if the augmentation was stopped and its time extrapolated.
     pub extrapolated: bool,
     /// The paper's total in seconds.
     pub paper: Option<f64>,

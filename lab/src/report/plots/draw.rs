@@ -31,7 +31,7 @@ const HEAD: u32 = 62;
 /// Units between the axes and the notes.
 const FOOT: u32 = 54;
 
-/// Where values are on the canvas.
+/// Positions of values on the canvas.
 type Places<'a, DB> = ChartContext<'a, DB, Cartesian2d<Axis, Axis>>;
 
 /// Units from top to bottom.

@@ -49,7 +49,7 @@ fn of_figure(summary: &Summary, figure: u8, group: &str, meshes: &str) -> Chart 
     Chart { counterpart, caption: format!("{axes} {READING}"), ..chart }
 }
 
-/// How to read all of these plots.
+/// Advice for reading all of these plots.
 const READING: &str = "Points are means of the runs, strokes go from the fastest to the slowest; \
                        n^… is the least-squares exponent with its 95 % interval (Student's t).";
 

@@ -24,12 +24,12 @@ use super::summary::Summary;
 /// A plot, ready to be written.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Plot {
-    /// What of the papers it belongs to.
+    /// The part of the papers that it belongs to.
     #[serde(skip)]
     pub counterpart: Counterpart,
     /// Its title.
     pub title: String,
-    /// How to read it.
+    /// Advice for reading it.
     pub caption: String,
     /// Name of its files, without the ending.
     pub stem: String,

@@ -1,4 +1,4 @@
-//! Where the time goes: (a) and (d) of Tables 4.3 and 4.4, one bar a row.
+//! Parts of the time: (a) and (d) of Tables 4.3 and 4.4, one bar a row.
 
 use super::axis::Spread;
 use super::chart::{Bar, Chart, Counterpart, legends};

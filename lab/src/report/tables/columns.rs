@@ -7,7 +7,7 @@ use crate::paper::{Paper, Table};
 use crate::report::notes::Note;
 use crate::report::summary::{Cell, Summary};
 
-/// What a row of a table is made of.
+/// Source of a row of a table.
 pub struct Line<'a, P> {
     /// Name of the mesh.
     pub mesh: String,

@@ -23,7 +23,7 @@ pub struct ReportTable {
     pub columns: Vec<Column>,
     /// Its rows.
     pub rows: Vec<Row>,
-    /// What must be known to read it.
+    /// Notes for reading it.
     pub notes: Vec<Note>,
 }
 
@@ -34,13 +34,13 @@ pub struct Column {
     pub name: String,
     /// Name on the page.
     pub heading: String,
-    /// Whether it is on the page; it is in the file anyway.
+    /// True if it is on the page; it is in the file anyway.
     pub is_shown: bool,
-    /// What the paper has beside it.
+    /// The paper's counterpart.
     pub beside: Beside,
 }
 
-/// What the paper has for a column.
+/// The paper's counterpart of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beside {
     /// Nothing.
@@ -56,22 +56,22 @@ pub enum Beside {
 pub struct Row {
     /// Name of the mesh.
     pub mesh: String,
-    /// Where the mesh comes from, if it was run.
+    /// Origin of the mesh, if it was run.
     pub mesh_kind: Option<MeshKind>,
     /// The cells, in the order of the columns.
     pub cells: Vec<TableCell>,
-    /// What is wrong with the paper's row, or empty.
+    /// The error in the paper's row, or empty.
     pub errata: String,
 }
 
-/// What stands in a row under a column.
+/// A cell of a row.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TableCell {
     /// Ours.
     pub ours: Value,
     /// The paper's.
     pub paper: Value,
-    /// Whether ours is extrapolated.
+    /// True if ours is extrapolated.
     pub is_extrapolated: bool,
     /// The numbers of the runs whose mean ours is; empty where it is no mean.
     pub sample: Vec<f64>,

@@ -83,7 +83,7 @@ impl<S: Nodes> Trees<S> {
     /// Queues the edges from outer nodes to the kids that are not outer.
     ///
     /// For the kid that kept the blossom's set they are in the set's list; for the others, all
-    /// their edges are looked at.
+    /// their edges are scanned.
     fn await_edges(&mut self, kids: &[Kid], heir: u32) {
         for kid in kids {
             let label = self.family.label(kid.top);

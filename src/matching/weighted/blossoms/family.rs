@@ -39,7 +39,7 @@ pub(crate) struct Blossom<N> {
     pub(crate) is_marked: bool,
 }
 
-/// What the nodes of an outermost blossom have in common.
+/// State shared by the nodes of an outermost blossom.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Set<N> {
     pub(crate) offset: N,

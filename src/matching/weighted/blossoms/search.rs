@@ -17,7 +17,7 @@ pub(crate) struct Trees<S: Nodes> {
     /// Half-edges by the time at which they may become tight; `codes` + b is the expansion of the
     /// blossom in place b.
     pub(super) queue: Queue<S::N>,
-    /// Outer nodes whose edges are still to be looked at.
+    /// Outer nodes whose edges have not been scanned.
     pub(super) scan: VecDeque<u32>,
     /// Every top that got a label or was released, in order.
     pub(super) touched: Vec<u32>,
@@ -25,7 +25,7 @@ pub(crate) struct Trees<S: Nodes> {
     pub(crate) work: Work,
 }
 
-/// How a search ended.
+/// Outcome of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Found {
     /// The root is paired.

@@ -25,7 +25,7 @@ struct Forest<'a, S: Nodes> {
     queue: Queue<S::N>,
     /// Tight half-edges. First in, first out: then the trees share a region of equal costs.
     now: VecDeque<u32>,
-    /// Outer nodes whose edges are still to be looked at.
+    /// Outer nodes whose edges have not been scanned.
     scan: VecDeque<u32>,
     /// For each labelled node its root.
     root: Vec<u32>,

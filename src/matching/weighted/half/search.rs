@@ -18,11 +18,11 @@ pub(super) struct Tree<'a, S: Nodes> {
     queue: Queue<S::N>,
     /// The root, then by turns an inner node and its mate, an outer one.
     members: Vec<u32>,
-    /// Place of the first outer member whose edges have not been looked at.
+    /// Place of the first outer member whose edges have not been scanned.
     scan: usize,
 }
 
-/// How a search ended.
+/// Outcome of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Found {
     /// The root is paired or on an odd cycle.

@@ -94,7 +94,7 @@ fn cost(draw: u32, (low, high): (i128, i128)) -> i128 {
     low + if count >> 32 == 0 { draw % count } else { draw * (count >> 32) }
 }
 
-/// Whether all, none or about a third of the nodes have prices.
+/// Returns whether all, none or about a third of the nodes have prices.
 fn prices(count: usize, range: (i128, i128)) -> impl Strategy<Value = Vec<Option<i128>>> {
     (0..3_u32, vec((0..3_u32, any::<u32>()), count)).prop_map(move |(kind, draws)| {
         let price = |(chance, draw)| (chance < kind).then(|| cost(draw, range));

@@ -1,4 +1,4 @@
-//! Single cases: what is too much, what is impossible, what a run tells.
+//! Single cases: what is too much, what is impossible, what a run reports.
 
 use std::ops::ControlFlow;
 

@@ -1,7 +1,7 @@
 //! Nested sets: the smallest one that holds two given ones, in constant time.
 //!
 //! Schieber and Vishkin, *On Finding Lowest Common Ancestors*, 1988: paths of the tree are mapped
-//! to the nodes of a complete binary tree, whose numbers tell common ancestors by their bits.
+//! to the nodes of a complete binary tree, whose bits determine common ancestors.
 
 use super::super::problem::NONE;
 

@@ -3,8 +3,12 @@
 //! Two columns are needed: the mesh, and one number of [`Measured`]. What else `runs.csv` has is
 //! taken where it is there and has a default where it is not.
 
+mod error;
+
 use csv::StringRecord;
 use serde::Deserialize;
+
+pub use error::ImportError;
 
 use super::job::Job;
 use super::machine::hash_of_words;
@@ -18,18 +22,18 @@ use crate::meshes::{MeshKind, Recipe};
 use crate::nearest::nearest;
 use crate::paper::Paper;
 
-/// How a file is to be read.
+/// Options for reading a file.
 #[derive(Clone, Debug)]
 pub struct ImportSettings {
     /// Algorithm of all rows; one of ours, or any other name.
     pub algorithm: String,
     /// What the algorithm makes, if that does not follow from its name or the columns.
     pub task: Option<Task>,
-    /// How large the meshes of the papers were.
+    /// Size of the papers' meshes.
     pub scale: Scale,
     /// Names of columns in the file and in `runs.csv`; `-` for a column that is to be left out.
     pub mapping: Vec<(String, String)>,
-    /// Whether there may be meshes that the papers do not have.
+    /// True if there may be meshes that the papers do not have.
     pub allows_other_meshes: bool,
 }
 
@@ -40,78 +44,6 @@ pub struct Imported {
     pub records: Vec<RunRecord>,
     /// Counts that were no whole numbers, as means are not, and were rounded.
     pub rounded: usize,
-}
-
-/// Why a file cannot be read.
-#[derive(Debug, thiserror::Error)]
-pub enum ImportError {
-    /// It is no table of comma-separated values.
-    #[error("it cannot be read: {0}")]
-    Csv(#[from] csv::Error),
-    /// There is no column for the mesh.
-    #[error("no column says which mesh; map one to it: --map \"NAME=mesh\"")]
-    NoMesh,
-    /// There is no column with a number.
-    #[error("no column has a number; map one to it: --map \"NAME=total_seconds\"")]
-    NoNumber,
-    /// There are no rows.
-    #[error("it has no rows")]
-    NoRows,
-    /// A column is not known.
-    #[error(
-        "the column {name:?} is not known; the nearest name is {nearest:?}: --map \
-         \"{name}={nearest}\", or --map \"{name}=-\" to leave it out"
-    )]
-    UnknownColumn {
-        /// The column.
-        name: String,
-        /// The known name that is most like it.
-        nearest: String,
-    },
-    /// A mapping leads to no known name.
-    #[error("--map: {name:?} is no column of runs.csv; the nearest is {nearest:?}")]
-    UnknownTarget {
-        /// The name.
-        name: String,
-        /// The known name that is most like it.
-        nearest: String,
-    },
-    /// A mapping is of a column that the file does not have.
-    #[error("--map: the file has no column {name:?}; the nearest is {nearest:?}")]
-    UnknownSource {
-        /// The name.
-        name: String,
-        /// The column that is most like it.
-        nearest: String,
-    },
-    /// Two columns would be the same.
-    #[error("two columns are {0:?}; leave one out: --map \"NAME=-\"")]
-    Twice(String),
-    /// A mesh is not known.
-    #[error(
-        "line {line}: {name:?} is no mesh of the papers; the nearest is {nearest:?}. Write that, \
-         or allow others with --other-meshes"
-    )]
-    UnknownMesh {
-        /// Line, from 1.
-        line: u64,
-        /// The mesh.
-        name: String,
-        /// The known mesh that is most like it.
-        nearest: String,
-    },
-    /// A field is not what its column is.
-    #[error("line {line}, column {column:?}: {value:?} is no {expected}")]
-    BadField {
-        /// Line, from 1.
-        line: u64,
-        /// The column, as in `runs.csv`.
-        column: String,
-        /// What stands there.
-        value: String,
-        /// What should stand there.
-        expected: &'static str,
-    },
 }
 
 /// The columns that are no numbers of a run.

@@ -1,0 +1,221 @@
+//! What README and documents show: their commands work, their outputs are what is printed, their
+//! tables are what the records make.
+//!
+//! | fence | meaning here |
+//! |---|---|
+//! | `sh` | run by bash in an empty folder with `triquad` and folders of a clone at hand |
+//! | `text output` | printed by the block before it; `…` stands for anything, blanks do not matter |
+//! | `csv NAME`, `toml NAME` | a file of that name, there for later blocks |
+//!
+//! Other fences are not run. Blocks of one document share a folder.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A fenced block of a document.
+struct Block {
+    /// The words behind the fence.
+    info: Vec<String>,
+    /// The lines between the fences.
+    text: String,
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().unwrap()
+}
+
+/// README and every document, by path.
+fn documents() -> Vec<PathBuf> {
+    let docs = std::fs::read_dir(root().join("docs")).unwrap().map(|entry| entry.unwrap().path());
+    let is_markdown = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "md");
+    let mut documents: Vec<PathBuf> = docs.filter(is_markdown).collect();
+    documents.sort();
+    let others = ["README.md", "examples/meshes/README.md"];
+    documents.extend(others.map(|name| root().join(name)));
+    documents
+}
+
+/// Returns the fenced blocks of a document.
+fn blocks(document: &str) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut open: Option<Block> = None;
+    for line in document.lines() {
+        match (line.strip_prefix("```"), &mut open) {
+            (Some(info), None) => {
+                let info = info.split_whitespace().map(str::to_owned).collect();
+                open = Some(Block { info, text: String::new() });
+            }
+            (Some(_), Some(_)) => blocks.extend(open.take()),
+            (None, Some(block)) => block.text.extend([line, "\n"]),
+            (None, None) => {}
+        }
+    }
+    assert!(open.is_none(), "a fence is not closed");
+    blocks
+}
+
+/// Runs the blocks of a document in `folder`; returns how many commands ran, or what went wrong.
+fn run(document: &str, folder: &Path) -> Result<usize, String> {
+    let (mut printed, mut count) = (String::new(), 0);
+    for block in blocks(document) {
+        match block.info.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+            ["sh"] => {
+                printed = shell(&block.text, folder)?;
+                count += 1;
+            }
+            ["text", "output"] if !shows(&block.text, &printed) => {
+                return Err(format!("expected\n{}\nprinted\n{printed}", block.text));
+            }
+            ["csv" | "toml", name] => std::fs::write(folder.join(name), &block.text).unwrap(),
+            _ => {}
+        }
+    }
+    Ok(count)
+}
+
+/// Runs a script that ends with its first failing command; returns all that it prints.
+fn shell(script: &str, folder: &Path) -> Result<String, String> {
+    let program = Path::new(env!("CARGO_BIN_EXE_triquad"));
+    let others = std::env::var_os("PATH").unwrap_or_default();
+    let first = program.parent().unwrap().to_owned();
+    let path = std::env::join_paths(std::iter::once(first).chain(std::env::split_paths(&others)));
+    let output = Command::new("bash")
+        .args(["-e", "-u", "-o", "pipefail", "-c", &format!("exec 2>&1\n{script}")])
+        .current_dir(folder)
+        .env("PATH", path.unwrap())
+        .env("TRIQUAD_CACHE", folder.join("cache"))
+        .output()
+        .expect("bash");
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    if output.status.success() { Ok(printed) } else { Err(format!("{script}\n{printed}")) }
+}
+
+/// Whether `printed` is `expected`, in which `…` stands for anything.
+fn shows(expected: &str, printed: &str) -> bool {
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (expected, printed) = (words(expected), words(printed));
+    let mut parts = expected.split('…');
+    let Some(mut rest) = printed.strip_prefix(parts.next().unwrap_or_default()) else {
+        return false;
+    };
+    let mut last = "";
+    for part in parts {
+        let Some(at) = rest.find(part) else { return false };
+        (rest, last) = (&rest[at + part.len()..], part);
+    }
+    rest.is_empty() || (last.is_empty() && expected.ends_with('…'))
+}
+
+/// An empty folder with links to what a clone has.
+fn clone() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["docs", "examples", "experiments"] {
+        std::os::unix::fs::symlink(root().join(name), folder.path().join(name)).unwrap();
+    }
+    folder
+}
+
+#[test]
+fn every_command_in_the_documents_works() {
+    let mut commands = 0;
+    for path in documents() {
+        let document = std::fs::read_to_string(&path).unwrap();
+        match run(&document, clone().path()) {
+            Ok(count) => commands += count,
+            Err(error) => panic!("{}: {error}", path.display()),
+        }
+    }
+    assert!(commands > 10, "only {commands} blocks");
+}
+
+#[test]
+fn a_wrong_command_or_a_wrong_output_in_a_document_is_found() {
+    let convert = "triquad convert examples/meshes/plate.obj.gz -o quads.obj";
+    let ok = |document: &str| run(document, clone().path()).is_ok();
+    assert!(ok(&format!("```sh\n{convert}\n```\n```text output\n…1202 quads…\n```\n")));
+    assert!(!ok(&format!("```sh\n{convert}\n```\n```text output\n…1203 quads…\n```\n")));
+    assert!(!ok(&format!("```sh\n{convert}\n```\n```text output\n1202 quads\n```\n")));
+    assert!(!ok("```sh\ntriquad convert absent.obj -o quads.obj\n```\n"));
+    // A failure in the midst of a block is not covered up by its end, nor one in a pipe.
+    assert!(!ok("```sh\ntriquad convert absent.obj -o quads.obj\ntrue\n```\n"));
+    assert!(!ok("```sh\ntriquad info absent.obj | cat\n```\n"));
+}
+
+#[test]
+fn dots_in_an_expected_output_stand_for_anything() {
+    assert!(shows("a b", "a\n  b\n"));
+    assert!(shows("a … c", "a b c"));
+    assert!(shows("a …", "a b c"));
+    assert!(shows("… c", "a b c"));
+    assert!(!shows("a", "a b"));
+    assert!(!shows("b …", "a b c"));
+    assert!(!shows("… b", "a b c"));
+}
+
+/// Returns the words of `text` that begin with two dashes.
+fn long_options(text: &str) -> std::collections::BTreeSet<String> {
+    let is_part = |c: char| c.is_ascii_lowercase() || c == '-';
+    let option = |rest: &str| rest.split(|c| !is_part(c)).next().unwrap_or_default().to_owned();
+    let found = text.match_indices("--").map(|(at, _)| option(&text[at..]));
+    found.filter(|option| option.len() > 2 && !option.starts_with("---")).collect()
+}
+
+/// Returns the help of the program, or of a verb of it.
+fn help(verbs: &[&str]) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_triquad"));
+    let output = command.args(verbs).arg("--help").output().unwrap();
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Returns the verbs that a help text lists.
+fn verbs(help: &str) -> Vec<String> {
+    let list = help.split("Commands:\n").nth(1).unwrap_or_default();
+    let list = list.split("\n\n").next().unwrap_or_default();
+    let lines = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let words = lines.filter_map(|line| line.split_whitespace().next());
+    words.filter(|&word| word != "help").map(str::to_owned).collect()
+}
+
+#[test]
+fn the_page_of_the_command_has_every_verb_and_every_option_and_no_others() {
+    let page = std::fs::read_to_string(root().join("docs/cli.md")).unwrap();
+    let mut options = long_options("--help --version");
+    let verbs_of_all = verbs(&help(&[]));
+    assert!(verbs_of_all.len() > 10, "{verbs_of_all:?}");
+    for verb in &verbs_of_all {
+        assert!(page.contains(&format!("`{verb}")), "{verb} is missing");
+        let text = help(&[verb]);
+        for second in verbs(&text) {
+            assert!(page.contains(&format!("`{second}")), "{verb} {second} is missing");
+            options.extend(long_options(&help(&[verb, &second])));
+        }
+        options.extend(long_options(&text));
+    }
+    let on_page = long_options(&page);
+    let missing: Vec<_> = options.difference(&on_page).collect();
+    assert!(
+        missing.iter().all(|&option| option == "--help" || option == "--version"),
+        "{missing:?}"
+    );
+    let invented: Vec<_> = on_page.difference(&options).collect();
+    assert!(invented.is_empty(), "{invented:?}");
+}
+
+/// Returns the targets of the links and pictures of a document that are files.
+fn linked_files(document: &str) -> impl Iterator<Item = &str> {
+    let targets = document.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next());
+    targets.filter(|target| !target.is_empty() && !target.contains("://"))
+}
+
+#[test]
+fn every_link_to_a_file_leads_to_one() {
+    let others = ["CONTRIBUTING.md", "CHANGELOG.md", "experiments/README.md", "results/README.md"];
+    for path in documents().into_iter().chain(others.map(|name| root().join(name))) {
+        let document = std::fs::read_to_string(&path).unwrap();
+        for target in linked_files(&document) {
+            let file = path.parent().unwrap().join(target);
+            assert!(file.exists(), "{}: {target}", path.display());
+        }
+    }
+    assert_eq!(linked_files("[a](b.md#c) ![d](e/f.svg) [g](#h) [i](https://j.k)").count(), 2);
+}

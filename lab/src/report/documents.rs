@@ -1,0 +1,295 @@
+//! Tables of documents, made of records.
+//!
+//! A document has the lines `<!-- table: NAME -->` and `<!-- end -->`; what stands between them is
+//! replaced by a Markdown table. Its numbers are those of the report's tables, to the digits of the
+//! page.
+
+use super::compare::{self, Comparison, Verdict};
+use super::summary::Summary;
+use super::tables::{self, ReportTable, Row};
+use crate::experiment::Results;
+
+/// A document whose tables cannot be filled.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DocumentError {
+    /// No table is called so.
+    #[error("{line}: no table is called '{name}'; there are {}", names())]
+    UnknownTable {
+        /// Line of the marker, from 1.
+        line: usize,
+        /// The name in it.
+        name: String,
+    },
+    /// A table does not end.
+    #[error("{line}: the table does not end; put '{END}' on a line of its own behind it")]
+    NoEnd {
+        /// Line of the marker, from 1.
+        line: usize,
+    },
+}
+
+/// The line after a table.
+const END: &str = "<!-- end -->";
+
+/// A table of documents.
+struct DocumentTable {
+    name: &'static str,
+    rows: Rows,
+    /// Headings, and columns of the report's tables; `paper_` stands before the paper's.
+    columns: &'static [(&'static str, &'static str)],
+}
+
+/// The rows of a table of documents.
+enum Rows {
+    /// All of these tables of the report.
+    Of(&'static [&'static str]),
+    /// All of one table that belong to a mesh.
+    OfMesh(&'static str, &'static str),
+    /// These meshes and algorithms, wherever they stand.
+    These(&'static [(&'static str, &'static str)]),
+}
+
+const VERDICTS: &str = "verdicts";
+
+const COUNTS_AND_TIMES: &[(&str, &str)] = &[
+    ("mesh", "mesh"),
+    ("algorithm", "algorithm"),
+    ("unpaired: paper", "paper_unpaired_triangles"),
+    ("here", "unpaired_triangles"),
+    ("seconds: paper", "paper_total_seconds"),
+    ("`tarjan`", "total_seconds"),
+    ("`local`", "local_total_seconds"),
+];
+
+const SPEED: &[(&str, &str)] =
+    &[("command", "command"), ("triangles", "triangles"), ("seconds", "local_total_seconds")];
+
+const TABLES: &[DocumentTable] = &[
+    DocumentTable {
+        name: "conversions",
+        rows: Rows::These(&[
+            ("botijo", "PS"),
+            ("eros", "SG"),
+            ("eros", "LRS"),
+            ("happy-buddha", "LRS"),
+            ("A2", "PS"),
+            ("A2", "LRS"),
+            ("B2", "PS"),
+            ("B2", "LRS"),
+        ]),
+        columns: COUNTS_AND_TIMES,
+    },
+    DocumentTable { name: "4.3", rows: Rows::Of(&["table_4_3.csv"]), columns: COUNTS_AND_TIMES },
+    DocumentTable {
+        name: "4.4",
+        rows: Rows::Of(&["table_4_4_i.csv", "table_4_4_ii.csv"]),
+        columns: COUNTS_AND_TIMES,
+    },
+    DocumentTable {
+        name: "6 to 11",
+        rows: Rows::Of(&["table_6.csv", "table_8.csv", "table_10.csv"]),
+        columns: &[
+            ("mesh", "mesh"),
+            ("tests of RS: paper", "paper_rs_link_condition_tests"),
+            ("here", "rs_link_condition_tests"),
+            ("S / RS: paper", "paper_schipper_to_rs_tests"),
+            ("here", "schipper_to_rs_tests"),
+            ("BF / RS: paper", "paper_brute_force_to_rs_tests"),
+            ("here", "brute_force_to_rs_tests"),
+            ("seconds, S / RS: paper", "paper_schipper_to_rs_seconds"),
+            ("here", "schipper_to_rs_seconds"),
+            ("BF / RS: paper", "paper_brute_force_to_rs_seconds"),
+            ("here", "brute_force_to_rs_seconds"),
+        ],
+    },
+    DocumentTable {
+        name: "speed",
+        rows: Rows::These(&[("happy-buddha", "TQ"), ("A1", "TQ"), ("A1", "PS")]),
+        columns: SPEED,
+    },
+    DocumentTable {
+        name: "speed of all",
+        rows: Rows::These(&[
+            ("happy-buddha", "TQ"),
+            ("happy-buddha", "PS"),
+            ("happy-buddha", "LRS"),
+            ("happy-buddha", "GW"),
+            ("A1", "TQ"),
+            ("A1", "PS"),
+            ("A1", "LRS"),
+            ("A1", "GW"),
+        ]),
+        columns: SPEED,
+    },
+    DocumentTable {
+        name: "memory",
+        rows: Rows::These(&[
+            ("A1", "TQ local"),
+            ("A1", "PS local"),
+            ("A1", "LRS local"),
+            ("A1", "GW local"),
+            ("ir-B0", "RS"),
+            ("ir-B0", "S"),
+            ("ir-B0", "BF"),
+        ]),
+        columns: &[
+            ("mesh", "mesh"),
+            ("algorithm", "algorithm"),
+            ("triangles", "triangles"),
+            ("bytes a triangle", "peak_memory_bytes_per_triangle"),
+        ],
+    },
+    DocumentTable {
+        name: "quality",
+        rows: Rows::OfMesh("table_quality.csv", "eros"),
+        columns: &[
+            ("algorithm", "algorithm"),
+            ("mean scaled Jacobian", "scaled_jacobian_mean"),
+            ("least", "scaled_jacobian_minimum"),
+            ("edges flipped, %", "edge_flips_percent"),
+        ],
+    },
+];
+
+/// Returns `document` with its tables made anew from `results`. O(tables + claims).
+///
+/// # Errors
+/// A marker names no table, or its table does not end.
+pub fn fill(document: &str, results: &Results) -> Result<String, DocumentError> {
+    let summary = Summary::new(results);
+    let (tables, comparison) = (tables::all(&summary), compare::judge(&summary));
+    let mut filled = String::with_capacity(document.len());
+    let mut lines = document.split_inclusive('\n').enumerate();
+    while let Some((number, line)) = lines.next() {
+        filled.push_str(line);
+        let Some(name) = marker(line) else { continue };
+        let text = if name == VERDICTS {
+            verdicts(&comparison)
+        } else {
+            let table = TABLES.iter().find(|table| table.name == name).ok_or_else(|| {
+                DocumentError::UnknownTable { line: number + 1, name: name.to_owned() }
+            })?;
+            table.markdown(&tables)
+        };
+        let end = lines.find(|(_, line)| line.trim_end() == END);
+        let (_, end) = end.ok_or(DocumentError::NoEnd { line: number + 1 })?;
+        filled.extend(["\n", text.as_str(), "\n", end]);
+    }
+    Ok(filled)
+}
+
+/// Returns the name of the table that a marker announces.
+fn marker(line: &str) -> Option<&str> {
+    line.trim_end().strip_prefix("<!-- table: ")?.strip_suffix(" -->")
+}
+
+fn names() -> String {
+    let names: Vec<&str> = TABLES.iter().map(|table| table.name).collect();
+    format!("{VERDICTS}, {}", names.join(", "))
+}
+
+/// Counts the claims by verdict.
+fn verdicts(comparison: &Comparison) -> String {
+    let row = |verdict: Verdict| [verdict.name().to_owned(), comparison.count(verdict).to_string()];
+    let all = ["all".to_owned(), comparison.verdicts.len().to_string()];
+    let rows = Verdict::ALL.map(row).into_iter().chain([all]).map(|row| row.to_vec());
+    markdown(&["verdict", "claims"], rows)
+}
+
+impl DocumentTable {
+    fn markdown(&self, tables: &[ReportTable]) -> String {
+        let headings: Vec<&str> = self.columns.iter().map(|column| column.0).collect();
+        let row = |(mesh, algorithm): (String, String)| {
+            let cell = |&(_, column): &(&str, &str)| field(tables, &mesh, &algorithm, column);
+            self.columns.iter().map(cell).collect()
+        };
+        markdown(&headings, self.rows.keys(tables).into_iter().map(row))
+    }
+}
+
+impl Rows {
+    /// Returns mesh and algorithm of each row; the latter is empty where a row has all algorithms.
+    fn keys(&self, tables: &[ReportTable]) -> Vec<(String, String)> {
+        let of = |files: &[&str]| -> Vec<(String, String)> {
+            let tables = tables.iter().filter(|table| files.contains(&table.file));
+            tables.flat_map(|table| table.rows.iter().map(|row| key(table, row))).collect()
+        };
+        match self {
+            Self::Of(files) => of(files),
+            Self::OfMesh(file, mesh) => {
+                of(&[file]).into_iter().filter(|key| key.0 == *mesh).collect()
+            }
+            Self::These(keys) => {
+                keys.iter().map(|key| (key.0.to_owned(), key.1.to_owned())).collect()
+            }
+        }
+    }
+}
+
+fn key(table: &ReportTable, row: &Row) -> (String, String) {
+    let algorithm = table.columns.iter().position(|column| column.name == "algorithm");
+    (row.mesh.clone(), algorithm.map_or_else(String::new, |at| row.cells[at].ours.display()))
+}
+
+/// Returns a field of the first table that has it; a dash if none has.
+fn field(tables: &[ReportTable], mesh: &str, algorithm: &str, column: &str) -> String {
+    match column {
+        "mesh" => return mesh.to_owned(),
+        "algorithm" => return algorithm.to_owned(),
+        "command" => {
+            let id = algorithm.to_lowercase();
+            return format!("`triquad convert {mesh}.ply --algorithm {id} --stats -`");
+        }
+        _ => {}
+    }
+    let (name, is_printed) = match column.strip_prefix("paper_") {
+        Some(name) => (name, true),
+        None => (column, false),
+    };
+    let found = tables.iter().find_map(|table| {
+        let at = table.columns.iter().position(|column| column.name == name)?;
+        let row =
+            table.rows.iter().find(|row| key(table, row) == (mesh.into(), algorithm.into()))?;
+        let cell = &row.cells[at];
+        let text = if is_printed { cell.paper.display() } else { cell.ours.display() };
+        (!text.is_empty()).then_some(text)
+    });
+    found.unwrap_or_else(|| "–".into())
+}
+
+/// Writes a table in Markdown, numbers and all.
+fn markdown(headings: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+    let line = |cells: &[&str]| format!("| {} |\n", cells.join(" | "));
+    let mut text = line(headings) + &"|---".repeat(headings.len()) + "|\n";
+    for row in rows {
+        text += &line(&row.iter().map(String::as_str).collect::<Vec<_>>());
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_between_the_markers_is_replaced_and_nothing_else() {
+        let filled = |inside: &str| {
+            let document = format!("a\n<!-- table: verdicts -->\n{inside}<!-- end -->\nb");
+            fill(&document, &Results::default()).unwrap()
+        };
+        let once = filled("");
+        assert!(
+            once.starts_with("a\n<!-- table: verdicts -->\n\n| verdict | claims |\n|---|---|\n")
+        );
+        assert!(once.ends_with("\n\n<!-- end -->\nb"));
+        assert_eq!(filled("| old | table |\n"), once);
+        assert_eq!(fill(&once, &Results::default()).unwrap(), once);
+    }
+
+    #[test]
+    fn unknown_tables_and_missing_ends_are_named_with_their_line() {
+        let error = |document: &str| fill(document, &Results::default()).unwrap_err().to_string();
+        assert!(error("a\n<!-- table: 4.9 -->\n").starts_with("2: no table is called '4.9'"));
+        assert!(error("<!-- table: 4.3 -->\na\n").starts_with("1: the table does not end"));
+    }
+}
