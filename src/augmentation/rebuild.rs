@@ -48,6 +48,7 @@ impl Sides for NeighbourLists {
 
 #[cfg(test)]
 mod tests {
+    use super::super::{Augmentation, make_maximum};
     use super::*;
     use crate::samples::{surfaces, triangulation};
 
@@ -55,13 +56,11 @@ mod tests {
     fn paths_are_those_of_tarjan() {
         for surface in surfaces(4, 60) {
             let graph = DualGraph::new(&triangulation(&surface));
-            let augmented = |augment: fn(&_, &mut _, &mut dyn FnMut() -> _) -> _| {
-                let mut matching = Matching::empty(graph.len());
-                let stats: AugmentationStats =
-                    augment(&graph, &mut matching, &mut || ControlFlow::Continue(()));
-                (matching, stats)
+            let augmented = |augmentation| {
+                let none = Matching::empty(graph.len());
+                make_maximum(&graph, none, augmentation, || ControlFlow::Continue(()))
             };
-            assert_eq!(augmented(augment), augmented(tarjan::augment));
+            assert_eq!(augmented(Augmentation::Rebuild), augmented(Augmentation::Tarjan));
         }
     }
 }

@@ -238,7 +238,7 @@ fn edges_that_wait_are_those_that_a_walk_would_find() {
         let mut random = Random::stream(seed, &["waiting"]);
         let mix = Mix::ALL[seed as usize % Mix::ALL.len()];
         let genus = 2 + seed as usize % 5;
-        let surface = random_surface(genus, 60, mix, &mut |bound| random.below(bound));
+        let surface = random_surface(genus, 40, mix, &mut |bound| random.below(bound));
         for discipline in Discipline::ALL {
             cycles += observe_cycles(&surface, discipline, seed).1;
         }

@@ -119,7 +119,7 @@ proptest! {
 fn plain_simplification_moves_no_vertex_and_keeps_corners_longest() {
     let cube = BoxShape { cavities: 0, holes: 0, vertices: 1000 }.surface().unwrap();
     let mut simplifier = simplifier_by(Rule::Plain, &cube);
-    for vertices in [500, 60] {
+    for vertices in [500, 200] {
         simplifier.reduce_to(vertices).unwrap();
         let (left, _) = rebuilt(&simplifier);
         assert!(left.positions().iter().all(|place| cube.positions.contains(place)));

@@ -25,10 +25,9 @@
 //! Triangles, vertices and sets count from 1. Values are in halves, as those of
 //! [`Certificate`](triquad::matching::weighted::Certificate).
 
+mod format;
 mod read;
 mod write;
 
 pub use read::{Stated, read};
 pub use write::write;
-
-const FIRST_LINE: &str = "triquad-certificate 1";

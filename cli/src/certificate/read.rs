@@ -8,7 +8,7 @@ use triquad::convert::Aims;
 use triquad::matching::weighted::{Barrier, Certificate, Integers, NONE};
 use triquad::{DefaultCost, ShapeCost};
 
-use super::FIRST_LINE;
+use super::format::FIRST_LINE;
 use crate::failure::Failure;
 
 /// Statement of a certificate, and its proof.

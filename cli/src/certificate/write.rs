@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use triquad::matching::weighted::{Certificate, NONE};
 use triquad::pairing::Proof;
 
-use super::FIRST_LINE;
+use super::format::FIRST_LINE;
 use crate::aims::ReadAims;
 
 /// Writes what a pairing is the best of, and the proof.

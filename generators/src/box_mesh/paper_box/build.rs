@@ -4,15 +4,43 @@
 //! file takes them row by row, as `docs/meshes.md` explains.
 
 use super::super::cell_surface::{CellSurface, Tube};
-use super::shape::{PaperBox, THICKNESS, Walls};
+use super::shape::{ImpossiblePaperBox, PaperBox, THICKNESS, Walls};
 use crate::surface::Surface;
 
-/// The box, which has to be possible. O(vertices).
-pub(super) fn surface(
-    shape: &PaperBox,
-    pattern: Walls,
-    below: &mut dyn FnMut(u32) -> u32,
-) -> Surface {
+impl PaperBox {
+    /// Returns the box: connected, closed, simple, of genus [`PaperBox::holes`], outward, in cells
+    /// of side 1.
+    ///
+    /// The first shafts are one cell from the sides; the two cells that are left along y are behind
+    /// the last. Holes are drawn from the shafts by a fixed hash, those of a box with fewer among
+    /// those of one with more. Plates and floors come first, then the walls in slabs along x.
+    /// `below` draws for [`Walls::Drawn`]: `below(2)` once for each wall.
+    ///
+    /// O(n) time for n vertices; in addition to the surface, 4 bytes for each vertex of a plate.
+    ///
+    /// # Errors
+    /// There is no such box.
+    pub fn surface(
+        &self,
+        walls: Walls,
+        below: &mut dyn FnMut(u32) -> u32,
+    ) -> Result<Surface, ImpossiblePaperBox> {
+        if self.depth == 0 {
+            return Err(ImpossiblePaperBox::NoDepth);
+        }
+        let (holes, shafts) = (self.holes, u64::from(self.shafts).pow(2));
+        if u64::from(holes) > shafts {
+            return Err(ImpossiblePaperBox::TooManyHoles { holes, shafts });
+        }
+        if self.triangles() > (1 << 31) / 3 {
+            return Err(ImpossiblePaperBox::TooManyHalfEdges);
+        }
+        Ok(build(self, walls, below))
+    }
+}
+
+/// Builds the surface of a possible box. O(vertices).
+fn build(shape: &PaperBox, pattern: Walls, below: &mut dyn FnMut(u32) -> u32) -> Surface {
     let mut builder = Builder {
         shape: *shape,
         cells: shape.cells().map(|cells| cells as u32),

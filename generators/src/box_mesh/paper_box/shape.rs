@@ -2,9 +2,6 @@
 
 use std::fmt;
 
-use super::build;
-use crate::surface::Surface;
-
 /// Cells from the floor of a cavity to the bottom.
 pub(super) const THICKNESS: u32 = 2;
 
@@ -82,36 +79,6 @@ impl PaperBox {
     /// Returns the number of triangles by Euler's formula, 2 (vertices - 2 + 2 genus). O(1).
     pub fn triangles(&self) -> u64 {
         (self.vertices() - 2).saturating_add(2 * u64::from(self.holes)).saturating_mul(2)
-    }
-
-    /// Returns the box: connected, closed, simple, of genus [`PaperBox::holes`], outward, in cells
-    /// of side 1.
-    ///
-    /// The first shafts are one cell from the sides; the two cells that are left along y are behind
-    /// the last. Holes are drawn from the shafts by a fixed hash, those of a box with fewer among
-    /// those of one with more. Plates and floors come first, then the walls in slabs along x.
-    /// `below` draws for [`Walls::Drawn`]: `below(2)` once for each wall.
-    ///
-    /// O(n) time for n vertices; in addition to the surface, 4 bytes for each vertex of a plate.
-    ///
-    /// # Errors
-    /// There is no such box.
-    pub fn surface(
-        &self,
-        walls: Walls,
-        below: &mut dyn FnMut(u32) -> u32,
-    ) -> Result<Surface, ImpossiblePaperBox> {
-        if self.depth == 0 {
-            return Err(ImpossiblePaperBox::NoDepth);
-        }
-        let (holes, shafts) = (self.holes, u64::from(self.shafts).pow(2));
-        if u64::from(holes) > shafts {
-            return Err(ImpossiblePaperBox::TooManyHoles { holes, shafts });
-        }
-        if self.triangles() > (1 << 31) / 3 {
-            return Err(ImpossiblePaperBox::TooManyHalfEdges);
-        }
-        Ok(build::surface(self, walls, below))
     }
 }
 

@@ -4,23 +4,8 @@ use super::super::nodes::NONE;
 use super::super::number::{Number, doubled};
 use super::super::problem::{CubicProblem, NONE as NO_NODE};
 use super::super::refusal::Refusal;
+use super::row::{Row, SET};
 use super::view::Cubic;
-
-/// One node. 32 bytes with 32-bit numbers.
-///
-/// State, from the lowest bit: mate side (2, 3 for the ground), parent side (2), label (2), whether
-/// there is a mate (1), mark (1), set (the rest).
-#[derive(Clone, Copy, Debug)]
-#[repr(align(32))]
-pub(super) struct Row<N: Number> {
-    pub(super) twins: [u32; 3],
-    pub(super) costs: [N; 3],
-    pub(super) potential: N,
-    pub(super) state: N::State,
-}
-
-/// First bit of the set in a state.
-pub(super) const SET: u32 = 8;
 
 /// A graph in which no node has more than three sides.
 pub(crate) struct Rows<N: Number> {
@@ -99,7 +84,7 @@ fn row<N: Number>(problem: &impl CubicProblem, node: u32) -> Result<Row<N>, Refu
 /// Makes twins of a node's sides to later nodes; those to earlier ones have been made.
 ///
 /// Several edges between two nodes correspond by cost, equal ones in the order of the sides. Bit i
-/// of a state is set if side i has its twin.
+/// of a state says whether side i has its twin.
 #[inline]
 fn join<N: Number>(rows: &mut [Row<N>], node: u32) -> Result<(), Refusal> {
     let row = rows[node as usize];

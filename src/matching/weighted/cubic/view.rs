@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::super::nodes::{Label, NONE, Nodes};
 use super::super::number::Number;
-use super::rows::{Row, SET};
+use super::row::{Row, SET};
 use crate::prefetch::prefetch;
 
 const PARENT: u32 = 2;

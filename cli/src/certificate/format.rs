@@ -1,0 +1,3 @@
+//! What reading and writing have in common.
+
+pub(super) const FIRST_LINE: &str = "triquad-certificate 1";
