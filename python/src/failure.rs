@@ -151,7 +151,10 @@ impl Failure {
             MeshError::Expanded(_) => ("expands-too-far", None),
             _ => ("unknown-format", None),
         };
-        let remedy = error.remedy().to_owned();
+        let remedy = match &error {
+            MeshError::Expanded(_) => "decompress the file first".to_owned(),
+            error => error.remedy().to_owned(),
+        };
         let element = match place {
             Some(Place::Line(line)) => ("line", vec![line as u64]),
             Some(Place::Byte(byte)) => ("byte", vec![byte as u64]),
@@ -204,6 +207,9 @@ pub fn sentence(violation: &Violation) -> String {
 
 /// Returns the remedy with options in the form of Python: `--orient` becomes `orient=True`.
 pub fn remedy(law: Law) -> String {
+    if law == Law::NoBoundary {
+        return "close the holes, or merge equal vertices if the gaps are seams".into();
+    }
     let word = |word: &str| match word.strip_prefix("--") {
         Some(option) => format!("{}=True", option.replace('-', "_")),
         None => word.to_owned(),
@@ -224,6 +230,7 @@ fn place(mismatch: Mismatch) -> (&'static str, PythonElement) {
         M::NotATriangle(left) => ("not-a-triangle", face(left)),
         M::Turned(quad) => ("turned", face(quad)),
         M::RepeatedCorner(quad) => ("repeated-corner", face(quad)),
+        M::Reversed(quad) => ("reversed", face(quad)),
         M::NotAPair(quad) => ("not-a-pair", face(quad)),
         M::TriangleTwice(triangle) => ("triangle-twice", face(triangle)),
         M::TriangleUnused(triangle) => ("triangle-unused", face(triangle)),

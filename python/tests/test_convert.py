@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
 import signal
@@ -40,12 +41,13 @@ def test_quads_are_those_of_the_command_byte_for_byte(
     written = json.loads(stats.read_text())
     counts = report.to_dict()
     assert all(written[name] == counts[name] for name in counts if not name.endswith("seconds"))
+    assert set(counts) <= {field.name for field in dataclasses.fields(report)}
     own = {"schema", "input", "read_seconds", "write_seconds", "peak_memory_bytes", "left_out"}
     assert set(written) - set(counts) == own
 
 
 @pytest.mark.parametrize("cost", ["default", "shape"])
-@pytest.mark.parametrize("augmentation", ["local", "tarjan"])
+@pytest.mark.parametrize("augmentation", ["local", "tarjan", "rebuild"])
 def test_options_reach_the_converter(cost: str, augmentation: str) -> None:
     vertices, triangles = torus(9, 10)
     quads, report = triquad.convert(

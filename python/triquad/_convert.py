@@ -60,7 +60,10 @@ class Report:
     augmenting_path_length_mean: float
     augmenting_path_length_max: int
     augmentation_triangles_visited: int
+    shuffle_seconds: float = 0.0
+    """The part of the pairing in which the order of triangles or edges is drawn."""
     lrs_variant: str | None = None
+    lrs_order: str | None = None
     boundary_loops: int | None = None
     """Boundary loops, if the surface was open or one-sided."""
     non_orientable_genus: int | None = None
@@ -96,15 +99,23 @@ class Report:
     triangulation: NDArray[np.uint32] | None = field(default=None, repr=False, compare=False)
     """The triangles that were paired, ``(m, 3)``, if ``lrs`` flipped edges."""
     summary: str = field(default="", repr=False, compare=False)
+    record: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    """What the command writes as JSON."""
 
     def __str__(self) -> str:
         return self.summary
 
     def to_dict(self) -> dict[str, Any]:
         """Return what the command writes as JSON: all fields but arrays and those that are None."""
-        left_out = ("leftover", "given_up", "triangulation", "summary")
-        named = [(f.name, getattr(self, f.name)) for f in fields(self) if f.name not in left_out]
-        return {name: value for name, value in named if value is not None}
+        return dict(self.record)
+
+    @classmethod
+    def _of(cls, record: str, **others: Any) -> Report:
+        """Make a report of JSON and what is not in it."""
+        values = json.loads(record)
+        names = {f.name for f in fields(cls)}
+        known = {name: value for name, value in values.items() if name in names}
+        return cls(**known, **others, record=values)
 
 
 def convert(
@@ -155,7 +166,7 @@ def convert(
         The cost of a quad that ``best`` minimises the sum of: ``default``, ``shape``, or one
         integer of 32 bits for each edge, in the order in which the triangles first pass them.
     augmentation : str
-        ``local`` or ``tarjan``: completes the pairing of other algorithms.
+        ``local``, ``tarjan`` or ``rebuild``: completes the pairing of other algorithms.
     orient : bool
         Flip triangles first where neighbours disagree on orientation.
     seed : int, from 0 to 2**64 - 1
@@ -204,7 +215,7 @@ def convert(
         vertices_array(vertices), index_array("triangles", triangles, 3), options
     )
     quads = converted.pop("quads")
-    return quads, Report(**json.loads(converted.pop("report")), **converted)
+    return quads, Report._of(converted.pop("report"), **converted)
 
 
 def pair(
@@ -256,7 +267,7 @@ def pair(
         index_array("triangles", triangles, 3),
         _options(algorithm, augmentation, orient, seed, threads),
     )
-    return pairs, Report(**json.loads(report), summary=summary)
+    return pairs, Report._of(report, summary=summary)
 
 
 def _options(

@@ -2,7 +2,7 @@
 
 use super::quality::scaled_jacobian;
 use crate::triangulation::{HalfEdgeId, Surface, Triangulation, VertexId};
-use crate::vector::{cross, difference, dot};
+use crate::vector::{ORDINARY, cross, difference, dot, to_unit_size};
 
 /// Two triangles with a common edge, seen as one quad.
 ///
@@ -86,8 +86,12 @@ impl EdgeQuad {
         let [a, o, b, p] = self.corners;
         // Taken at the corners o and p, as in the scaled Jacobian: nothing is computed twice, and
         // the quad b p a o has the same bits.
-        let below = cross(difference(o, a), difference(b, o));
-        let above = cross(difference(p, b), difference(a, p));
+        let sides = [difference(o, a), difference(b, o), difference(p, b), difference(a, p)];
+        let normals = |[ao, ob, bp, pa]: [[f64; 3]; 4]| [cross(ao, ob), cross(bp, pa)];
+        let [mut below, mut above] = normals(sides);
+        if ![below, above].into_iter().all(|normal| ORDINARY.contains(&dot(normal, normal))) {
+            [below, above] = normals(to_unit_size(sides));
+        }
         let scale = (dot(below, below) * dot(above, above)).sqrt();
         (scale > 0.0).then(|| (dot(below, above) / scale).clamp(-1.0, 1.0))
     }

@@ -5,7 +5,7 @@
 
 use crate::mesh::Mesh;
 use crate::parallel::collect;
-use crate::vector::{cross, difference, dot};
+use crate::vector::{ORDINARY, cross, difference, dot, to_unit_size};
 
 /// Number of classes in [`Quality::histogram`], of equal width from -1 to 1.
 pub const CLASSES: usize = 20;
@@ -63,7 +63,22 @@ fn value(mesh: &Mesh, face: usize) -> Option<f64> {
 pub fn scaled_jacobian(corners: [[f64; 3]; 4]) -> f64 {
     let [p, q, r, s] = corners;
     let sides = [difference(q, p), difference(r, q), difference(s, r), difference(p, s)];
-    let normal = cross(difference(sides[0], sides[2]), difference(sides[1], sides[3]));
+    let normal = normal_of(sides);
+    if ORDINARY.contains(&dot(normal, normal)) {
+        return least_sine(sides, normal);
+    }
+    let sides = to_unit_size(sides);
+    least_sine(sides, normal_of(sides))
+}
+
+/// Returns the normal in the middle of a quad with these sides, four times its area long.
+#[inline]
+fn normal_of(sides: [[f64; 3]; 4]) -> [f64; 3] {
+    cross(difference(sides[0], sides[2]), difference(sides[1], sides[3]))
+}
+
+#[inline]
+fn least_sine(sides: [[f64; 3]; 4], normal: [f64; 3]) -> f64 {
     let at_corner = |k: usize| {
         let (before, after) = (sides[(k + 3) % 4], sides[k]);
         let scale = (dot(normal, normal) * dot(before, before) * dot(after, after)).sqrt();
@@ -94,6 +109,16 @@ mod tests {
         assert_eq!(scaled_jacobian(triangle), 0.0);
         assert!(scaled_jacobian(dart) < -0.7);
         assert_eq!(scaled_jacobian(collapsed), 0.0);
+    }
+
+    #[test]
+    fn shapes_do_not_depend_on_the_size_from_1e_300_to_1e300() {
+        let quad = [[0.0, 0.1, 0.2], [1.0, 0.0, -0.3], [1.1, 0.9, 0.4], [-0.2, 1.3, 0.0]];
+        let value = scaled_jacobian(quad);
+        for size in [1e-300, 1e-160, 1e-80, 1e-40, 1e-13, 1e13, 1e40, 1e80, 1e160, 1e300] {
+            let same = scaled_jacobian(quad.map(|corner| corner.map(|x| x * size)));
+            assert!((same - value).abs() < 1e-12, "{size}");
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Limits on the triangles and degrees that a contraction may leave, and measures of the result.
 
 use crate::mesh::Mesh;
-use crate::vector::{Vector, cross, difference, dot, square};
+use crate::vector::{ORDINARY, Vector, cross, difference, dot, square, to_unit_size};
 
 /// Limits of one stage; later stages are used where nothing else is left.
 #[derive(Clone, Copy, Debug)]
@@ -123,7 +123,10 @@ impl Shape {
 
 /// Returns the cosine of the angle at `p`, or `None` if a side there has no length.
 fn cosine_at(p: Vector, q: Vector, r: Vector) -> Option<f64> {
-    let (one, two) = (difference(q, p), difference(r, p));
+    let [mut one, mut two] = [difference(q, p), difference(r, p)];
+    if ![one, two].into_iter().all(|side| ORDINARY.contains(&square(side))) {
+        [[one], [two]] = [to_unit_size([one]), to_unit_size([two])];
+    }
     let cosine = dot(one, two) / (square(one).sqrt() * square(two).sqrt());
     cosine.is_finite().then(|| cosine.clamp(-1.0, 1.0))
 }
