@@ -62,7 +62,7 @@ impl Default for Converter<'_> {
 }
 
 impl<'a> Converter<'a> {
-    /// Makes a converter by `best` with [`DefaultCost`], augmentation `local` and seed 0.
+    /// Makes a converter by `best` with [`DefaultCost`](crate::DefaultCost), augmentation `local` and seed 0.
     pub fn new() -> Self {
         Self {
             algorithm: Algorithm::Best,
@@ -108,7 +108,7 @@ impl<'a> Converter<'a> {
         Self { orient, ..self }
     }
 
-    /// Sets what `best` minimises the sum of, in place of [`DefaultCost`].
+    /// Sets what `best` minimises the sum of, in place of [`DefaultCost`](crate::DefaultCost).
     #[must_use]
     pub fn cost(self, cost: &'a dyn Cost) -> Self {
         Self { aims: Aims { cost, ..self.aims }, ..self }

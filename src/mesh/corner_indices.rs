@@ -55,6 +55,7 @@ impl CornerIndices {
     }
 
     /// Returns whether every corner in `range` has an index.
+    #[cfg(feature = "files")]
     pub(super) fn has_all(&self, range: std::ops::Range<usize>) -> bool {
         self.0.get(range).is_some_and(|indices| !indices.contains(&NONE))
     }
