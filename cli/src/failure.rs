@@ -15,7 +15,7 @@ pub struct Failure {
     facts: Option<Box<Facts>>,
 }
 
-/// What is wrong with a file, for programs.
+/// Fault of a file, for programs.
 #[derive(Serialize)]
 pub struct Facts {
     pub file: String,

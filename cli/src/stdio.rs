@@ -8,11 +8,11 @@ use triquad::mesh::io_remedy;
 
 use crate::failure::Failure;
 
-/// What is printed beside answers.
+/// Output beside answers.
 #[derive(clap::Args, Clone, Copy, Default)]
 #[command(next_help_heading = "Everywhere")]
 pub struct Voice {
-    /// Print neither summaries nor notes, only what was asked for and failures
+    /// Print neither summaries nor notes, only answers and failures
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub quiet: bool,
     /// Print every step with the seconds since the start on standard error

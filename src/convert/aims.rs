@@ -1,4 +1,4 @@
-//! What `best` aims at, and the question that this makes of a mesh.
+//! The aims of `best`, and the problem that they make of a mesh.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use crate::pairing::{Keeping, Leftover, Objective};
 use crate::quadrangulation::{Cost, DefaultCost, Keep, edge_costs, listed_costs};
 use crate::triangulation::Surface;
 
-/// What `best` aims at. The default is the least [`DefaultCost`] in sum.
+/// The aims of `best`. The default is the least [`DefaultCost`] in sum.
 #[derive(Clone)]
 #[non_exhaustive]
 pub struct Aims<'a> {

@@ -62,7 +62,8 @@ impl Default for Converter<'_> {
 }
 
 impl<'a> Converter<'a> {
-    /// Makes a converter by `best` with [`DefaultCost`](crate::DefaultCost), augmentation `local` and seed 0.
+    /// Makes a converter by `best` with [`DefaultCost`](crate::DefaultCost), augmentation `local`
+    /// and seed 0.
     pub fn new() -> Self {
         Self {
             algorithm: Algorithm::Best,

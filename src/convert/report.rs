@@ -53,7 +53,7 @@ pub struct Report {
     pub stopped: bool,
     /// Total cost of the pairing, if `best` was given coordinates.
     pub total_cost: Option<i128>,
-    /// True if a certificate was verified that no pairing as asked for costs less.
+    /// True if a certificate was verified that no pairing with these aims costs less.
     pub is_proved_least: bool,
     /// True if a barrier was verified that shows that no pairing leaves fewer triangles.
     pub is_proved_fewest: bool,

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::faces::Faces;
 use super::polygon_mesh::Mesh;
 
-/// What welding did to a mesh.
+/// Outcome of welding a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -1,4 +1,4 @@
-//! What a good quad is: an integer cost for every edge whose removal makes one.
+//! The cost of a quad: an integer for every edge whose removal makes one.
 //!
 //! The two costs here use +, −, ×, ÷ and √ only, so they have the same value on every machine.
 

@@ -1,4 +1,4 @@
-//! What quads cannot keep of the attributes of their triangles.
+//! Attributes of triangles that their quads cannot keep.
 
 use std::collections::HashMap;
 

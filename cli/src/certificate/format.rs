@@ -1,3 +1,3 @@
-//! What reading and writing have in common.
+//! Parts that reading and writing share.
 
 pub(super) const FIRST_LINE: &str = "triquad-certificate 1";

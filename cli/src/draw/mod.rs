@@ -159,7 +159,7 @@ fn section(numbers: &[f64]) -> Section {
     Section { point: three(0), normal: three(3) }
 }
 
-/// Where a picture is written: opened before the work starts.
+/// Target of a picture, opened before the work starts.
 enum Target<'a> {
     File(&'a Path, AtomicFile),
     StandardOutput,

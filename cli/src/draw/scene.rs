@@ -19,7 +19,7 @@ const FOLDED: [u8; 3] = [178, 24, 43];
 /// Colour of faces that are no quads, and of all faces without colours.
 const PLAIN: [u8; 3] = [218, 225, 234];
 
-/// What several pictures have in common.
+/// Settings that several pictures share.
 pub struct Scene {
     pub width: usize,
     pub height: usize,

@@ -235,3 +235,21 @@ fn what_is_no_results_folder_is_refused_in_one_line() {
     // An error, not an empty page.
     assert!(!no_records.path().join("index.html").exists());
 }
+
+#[test]
+fn report_fills_the_tables_of_documents() {
+    let folder = folder(&of_the_papers());
+    let document = folder.path().join("notes.md");
+    let report = |text: &str| {
+        std::fs::write(&document, text).unwrap();
+        let mut report = Command::new(env!("CARGO_BIN_EXE_triquad"));
+        report.arg("report").arg(folder.path()).arg("--docs").arg(&document).output().unwrap()
+    };
+    assert!(report("a\n<!-- table: 4.3 -->\n<!-- end -->\n").status.success());
+    let filled = std::fs::read_to_string(&document).unwrap();
+    assert!(filled.contains("\n| botijo | PS | 10.6 |"), "{filled}");
+    let refused = report("<!-- table: 9.9 -->\n");
+    assert_eq!(refused.status.code(), Some(2));
+    let message = String::from_utf8(refused.stderr).unwrap();
+    assert!(message.contains("notes.md:1: no table is called '9.9'"), "{message}");
+}

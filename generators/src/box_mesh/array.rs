@@ -1,4 +1,4 @@
-//! Which places of the array have a shaft, and which of these go through.
+//! Places of the array with a shaft, and those with one that goes through.
 
 /// One place of the array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Which diagonal of a cell is an edge.
+//! The choice of the diagonal of each cell.
 //!
 //! Always the one from the first corner would do, but for one algorithm: what Pulli and Segal's
 //! pairs up spreads in a front, and a front that closes round a cavity before it has filled it

@@ -29,7 +29,7 @@ pub(super) fn share(index: u32, total: u32, count: u32) -> u32 {
     (up_to(u64::from(index) + 1) - up_to(index.into())) as u32
 }
 
-/// What is cut into cells of its own.
+/// Part that is cut into cells of its own.
 #[derive(Clone, Copy)]
 pub(super) enum Part {
     /// The side of a shaft.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What box is wanted. All its shafts together form an `m` × `m` array, `m` the least number whose
+/// Sizes of a box. All its shafts together form an `m` × `m` array, `m` the least number whose
 /// square suffices; with 3,844 shafts that is the array of the papers, 62 × 62.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BoxShape {

@@ -1,4 +1,4 @@
-//! What one run does, as the arguments of the command that does it and as columns of its record.
+//! The work of one run, as the arguments of the command that does it and as columns of its record.
 
 use serde::{Deserialize, Serialize};
 use triquad::augmentation::Augmentation;

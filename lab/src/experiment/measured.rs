@@ -69,7 +69,7 @@ pub struct Measured {
     pub peak_memory_bytes: Option<u64>,
 }
 
-/// What a run prints with `--stats`, as far as records have it.
+/// Numbers that a run prints with `--stats`, as far as records have it.
 #[derive(Deserialize)]
 pub(super) struct RunStats {
     /// Paths after which the augmentation was stopped.

@@ -22,7 +22,7 @@ pub const BECOME: &str = "become";
 /// Exit code of a `triquad` that was interrupted.
 pub const INTERRUPTED: i32 = 130;
 
-/// What Rust, Python and C++ say when memory is refused.
+/// Messages of Rust, Python and C++ when memory is refused.
 const OUT_OF_MEMORY: [&str; 3] = ["memory allocation of", "MemoryError", "std::bad_alloc"];
 
 /// Time that an interrupt may take from a run's process to this one.

@@ -1,4 +1,4 @@
-//! What a handful of repeated measurements comes to.
+//! Statistics of a handful of repeated measurements.
 
 use statrs::statistics::{Data, Distribution, Max, Min, OrderStatistics};
 

@@ -45,7 +45,7 @@ impl<'b> Block<'b> {
     }
 }
 
-/// The lines of positions in a block, asked for in ascending order.
+/// The lines of positions in a block, requested in ascending order.
 pub(super) struct Lines<'b> {
     block: Block<'b>,
     line: usize,

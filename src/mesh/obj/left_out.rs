@@ -1,4 +1,4 @@
-//! What an OBJ file holds and the mesh does not: counted, with the first line of each kind.
+//! Content of an OBJ file that the mesh does not hold: counted, with the first line of each kind.
 
 use super::blocks::Block;
 use super::statements::Unread;

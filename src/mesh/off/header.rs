@@ -3,11 +3,11 @@
 use super::super::error::MeshError;
 use super::super::tokens::{self, Tokens};
 
-/// What a header announces.
+/// Content of a header.
 pub(super) struct Header {
     pub(super) vertices: usize,
     pub(super) faces: usize,
-    /// What every vertex has besides coordinates.
+    /// Data of every vertex besides coordinates.
     extra: Vec<Extra>,
 }
 

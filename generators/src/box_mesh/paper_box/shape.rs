@@ -1,4 +1,4 @@
-//! Which box of the papers' kind is wanted, its counts, and why there may be none.
+//! Sizes of a box of the papers' kind, its counts, and reasons why there may be none.
 
 use std::fmt;
 

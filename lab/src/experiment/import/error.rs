@@ -1,4 +1,4 @@
-//! What can be wrong with a file of results.
+//! Faults of a file of results.
 
 /// Reason why a file cannot be read.
 #[derive(Debug, thiserror::Error)]

@@ -27,7 +27,7 @@ use crate::paper::Paper;
 pub struct ImportSettings {
     /// Algorithm of all rows; one of ours, or any other name.
     pub algorithm: String,
-    /// What the algorithm makes, if that does not follow from its name or the columns.
+    /// Task of the algorithm, if that does not follow from its name or the columns.
     pub task: Option<Task>,
     /// Size of the papers' meshes.
     pub scale: Scale,

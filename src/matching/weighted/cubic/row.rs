@@ -15,5 +15,5 @@ pub(super) struct Row<N: Number> {
     pub(super) state: N::State,
 }
 
-/// Where the set begins in a state.
+/// First bit of the set in a state.
 pub(super) const SET: u32 = 8;
