@@ -534,7 +534,7 @@ fn broken_surfaces() -> Vec<Refusal> {
         ),
         refusal("bow-tie.obj", two([4, 5, 6, 7]), "vertex 4 | several fans | a vertex of its own"),
         refusal("turned.obj", turned, "edge 1-2 | same direction | --orient"),
-        refusal("one-sided.off", plane, "edge | non-orientable | only two-sided surfaces"),
+        refusal("one-sided.off", plane, "edge | non-orientable | --open converts it"),
         refusal("cube.obj", CUBE, "face 1 | not a triangle | --triangulate"),
         with_line("line.obj", "f 1 2", "face 5 | not a triangle | remove"),
         with_line("nothing.obj", "f", "face 5 | not a triangle | remove"),
@@ -895,10 +895,11 @@ fn boxes_of_the_papers_kind_are_made_to_order() {
 fn stand_ins_are_kept_in_the_cache() {
     let workshop = Workshop::new();
     let wanted = "generate stand-in --vertices 700 --genus 3 --cache kept";
+    // Each mesh has a seal beside it.
     workshop.succeed(&format!("{wanted} -o one.ply"));
-    assert_eq!(workshop.path("kept").read_dir().unwrap().count(), 1);
+    assert_eq!(workshop.path("kept").read_dir().unwrap().count(), 2);
     workshop.succeed(&format!("{wanted} --seed 0 -o same.ply"));
-    assert_eq!(workshop.path("kept").read_dir().unwrap().count(), 1);
+    assert_eq!(workshop.path("kept").read_dir().unwrap().count(), 2);
     workshop.succeed(&format!("{wanted} --seed 1 -o other.ply"));
     assert_eq!(workshop.get("one.ply"), workshop.get("same.ply"));
     assert_ne!(workshop.get("one.ply"), workshop.get("other.ply"));

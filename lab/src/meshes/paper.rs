@@ -229,7 +229,8 @@ mod tests {
             assert_eq!(shape.vertices(), u64::from(mesh.vertices), "{}", mesh.name);
             let small = mesh.at(Scale::Small);
             let ratio = f64::from(mesh.vertices) / f64::from(small.vertices);
-            assert!((19.0..21.0).contains(&ratio), "{}", mesh.name);
+            // Shafts come in squares, and 14 in a row are the least that have the holes of B1.
+            assert!((17.0..21.0).contains(&ratio), "{}: {ratio}", mesh.name);
         }
     }
 
