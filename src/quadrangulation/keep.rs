@@ -17,10 +17,10 @@ use crate::triangulation::{EdgeSet, Element, Surface};
 /// let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// let mesh = Mesh::from_triangles(positions, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
 /// let mut keep = Keep::default();
-/// keep.edges = vec![[0, 1], [2, 3], [0, 3]];
+/// keep.edges = vec![[0, 1], [0, 2], [0, 3]];
 /// let quads = Converter::new().keep(keep).run(&mesh)?;
-/// // Every perfect pairing removes two opposite edges; 1-2 is free, and 0-3 is given up with it.
-/// assert_eq!(quads.given_up(), [[0, 3]]);
+/// // Every perfect pairing removes two opposite edges, and one of them is at vertex 0.
+/// assert_eq!(quads.given_up().len(), 1);
 /// # Ok::<(), triquad::ConvertError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
