@@ -534,7 +534,7 @@ fn broken_surfaces() -> Vec<Refusal> {
         ),
         refusal("bow-tie.obj", two([4, 5, 6, 7]), "vertex 4 | several fans | a vertex of its own"),
         refusal("turned.obj", turned, "edge 1-2 | same direction | --orient"),
-        refusal("one-sided.off", plane, "edge | non-orientable | --open converts it"),
+        refusal("one-sided.off", plane, "edge | non-orientable | cut the strip"),
         refusal("cube.obj", CUBE, "face 1 | not a triangle | --triangulate"),
         with_line("line.obj", "f 1 2", "face 5 | not a triangle | remove"),
         with_line("nothing.obj", "f", "face 5 | not a triangle | remove"),
