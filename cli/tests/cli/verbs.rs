@@ -633,7 +633,12 @@ fn bad_input_is_refused_with_place_law_and_remedy() {
         workshop.put("stats.json", "older stats");
         assert_told(&workshop.fail(&convert, 2));
         assert_told(&workshop.fail(&format!("check out.obj --against {file}"), 2));
-        assert_contains(&workshop.fail(&format!("info {file}"), 2), &[file], file);
+        if file == "cube.obj" {
+            // Quads that close up are a sound mesh, only no triangulation.
+            workshop.succeed("info cube.obj");
+        } else {
+            assert_contains(&workshop.fail(&format!("info {file}"), 2), &[file], file);
+        }
     }
 }
 
