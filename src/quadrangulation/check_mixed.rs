@@ -62,10 +62,12 @@ pub(crate) fn check_mixed_faces(
     vertices: usize,
 ) -> Result<MixedCheck, Mismatch> {
     require_arity(triangles, 3, vertices).map_err(Mismatch::BadTriangle)?;
+    for (face, corners) in mixed.iter().enumerate() {
+        require_distinct(face, corners, vertices)?;
+    }
     let mut cover = Cover::new(triangles);
     let mut quads = 0;
     for (face, corners) in mixed.iter().enumerate() {
-        require_distinct(face, corners, vertices)?;
         match *corners {
             [a, b, c] => cover.triangle(face, [a, b, c])?,
             [a, b, c, d] => cover.quad(face, [a, b, c, d])?,
