@@ -84,7 +84,7 @@ fn row<N: Number>(problem: &impl CubicProblem, node: u32) -> Result<Row<N>, Refu
 /// Makes twins of a node's sides to later nodes; those to earlier ones have been made.
 ///
 /// Several edges between two nodes correspond by cost, equal ones in the order of the sides. Bit i
-/// of a state says whether side i has its twin.
+/// of a state is set if side i has its twin.
 #[inline]
 fn join<N: Number>(rows: &mut [Row<N>], node: u32) -> Result<(), Refusal> {
     let row = rows[node as usize];
