@@ -70,9 +70,9 @@ fn meshes(parts: &Parts) -> String {
     };
     let close = rows.iter().filter(is_close).count();
     format!(
-        "The printed counts of link condition tests depend on the proportions of the papers' box, \
-         which they do not give: on ours RS makes the printed number within 1.5 % on {close} of \
-         {} meshes.",
+        "The printed counts determine the papers' box, whose proportions are not printed: on the \
+         meshes of these records RS makes the printed number of link condition tests within 1.5 % \
+         on {close} of {}.",
         rows.len()
     )
 }
