@@ -103,6 +103,38 @@ const TABLES: &[DocumentTable] = &[
         ],
     },
     DocumentTable {
+        name: "link tests",
+        rows: Rows::Of(&["table_6.csv", "table_8.csv", "table_10.csv"]),
+        columns: &[
+            ("mesh", "mesh"),
+            ("RS: paper", "paper_rs_link_condition_tests"),
+            ("here", "rs_link_condition_tests"),
+            ("S: paper", "paper_schipper_link_condition_tests"),
+            ("here", "schipper_link_condition_tests"),
+            ("BF: paper", "paper_brute_force_link_condition_tests"),
+            ("here", "brute_force_link_condition_tests"),
+            ("visited a test: RS", "rs_link_vertices_visited_a_test"),
+            ("S", "schipper_link_vertices_visited_a_test"),
+            ("BF", "brute_force_link_vertices_visited_a_test"),
+        ],
+    },
+    DocumentTable {
+        name: "walls",
+        rows: Rows::These(&[
+            ("A1", "PS"),
+            ("A1-equal", "PS"),
+            ("A1-paired", "PS"),
+            ("A1-drawn", "PS"),
+        ]),
+        columns: &[
+            ("mesh", "mesh"),
+            ("runs", "n"),
+            ("mean", "unpaired_triangles"),
+            ("least", "unpaired_triangles_least"),
+            ("greatest", "unpaired_triangles_greatest"),
+        ],
+    },
+    DocumentTable {
         name: "speed",
         rows: Rows::These(&[("happy-buddha", "TQ"), ("A1", "TQ"), ("A1", "PS")]),
         columns: SPEED,
