@@ -24,7 +24,7 @@ RESULTS ?= $(lastword $(sort $(wildcard results/20*)))
 FUZZ_SECONDS ?= 60
 
 .PHONY: help build reproduce demo compare report test check prose features dependencies bench fuzz
-.PHONY: package documents release-results clean toolchain python test-python
+.PHONY: package documents release-results clean toolchain python test-python bench-python
 
 help:
 	@echo "make build      builds the tool, target/release/triquad"
@@ -37,6 +37,7 @@ help:
 	@echo "make documents  fills the tables of README and docs from RESULTS"
 	@echo "make python     builds the wheel of the Python package, target/wheels; needs Python 3.10"
 	@echo "make test-python  tests the wheel in a virtual environment"
+	@echo "make bench-python  a million triangles from numpy against the command: time and memory"
 	@echo "make bench      times and memory; MESHES='a.obj b.ply' for your own, LEMON=program for"
 	@echo "                ratios to LEMON"
 	@echo "make fuzz       every reader on arbitrary bytes, FUZZ_SECONDS each; needs cargo-fuzz"
@@ -112,6 +113,9 @@ python: toolchain
 
 test-python: toolchain
 	@.ci/python test
+
+bench-python: toolchain
+	@.ci/python bench
 
 bench: toolchain
 	$(CARGO) bench --bench speed

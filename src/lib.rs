@@ -90,7 +90,9 @@ mod vector;
 struct Readme;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum};
-pub use convert::{ConvertError, Converted, Converter, Progress, Quadrangulated, Report, Stage};
+pub use convert::{
+    ConvertError, Converted, Converter, Progress, Quadrangulated, Report, Size, Stage,
+};
 pub use dual::{DualGraph, Matching, PerfectMatching};
 pub use mesh::Mesh;
 #[cfg(feature = "files")]

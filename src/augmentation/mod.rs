@@ -2,6 +2,8 @@
 //!
 //! All kinds of augmentation search with the alternating trees of [`matching`](crate::matching).
 //! They differ in where trees start and in what is cleared after a path.
+//!
+//! [`make_maximum`] has an example. Names and means have no examples of their own.
 
 mod local;
 mod rebuild;
