@@ -67,6 +67,13 @@ pub struct Measured {
     pub check_seconds: Option<f64>,
     /// Most memory of the process at once.
     pub peak_memory_bytes: Option<u64>,
+
+    /// Vertices of links that RS, S or BF went over.
+    pub link_vertices_visited: Option<u64>,
+    /// Sum of `d_u · d_v` over the tests of edges `uv`: the cost of tests without marks.
+    pub degree_products: Option<u64>,
+    /// The part of `pairing_seconds` that is the shuffle of SG or PS.
+    pub shuffle_seconds: Option<f64>,
 }
 
 /// Numbers that a run prints with `--stats`, as far as records have it.
