@@ -8,6 +8,7 @@ mod completion;
 pub mod data_folder;
 pub mod estimate;
 pub mod external;
+mod flips;
 pub mod folder_lock;
 pub mod import;
 pub mod job;

@@ -73,9 +73,11 @@ impl Plan {
     ) -> Result<Self, MissingMeshError> {
         let mut plan =
             Self { scale, blocks: Vec::new(), pictured: Vec::new(), remarks: Vec::new() };
+        let groups = experiments.iter().flat_map(|experiment| &experiment.groups);
+        let named: Vec<&String> = groups.flat_map(|group| &group.meshes).collect();
         for experiment in experiments {
             for group in &experiment.groups {
-                plan.add_group(experiment, group, data)?;
+                plan.add_group(experiment, group, data, &named)?;
             }
             if let Some(name) = &experiment.pictures {
                 let named = plan.blocks.iter().find(|block| block.mesh.name == *name);
@@ -95,6 +97,7 @@ impl Plan {
         experiment: &Experiment,
         group: &MeshGroup,
         data: &[DataMesh],
+        named: &[&String],
     ) -> Result<(), MissingMeshError> {
         let mut meshes = Vec::new();
         for name in &group.meshes {
@@ -105,9 +108,9 @@ impl Plan {
             meshes.push(PlannedMesh::of_file(&experiment.name, path)?);
         }
         if group.other_data && self.scale == Scale::Full {
-            let named: Vec<String> = meshes.iter().map(|mesh| mesh.name.clone()).collect();
-            let others = self.other_data(data).into_iter();
-            meshes.extend(others.filter(|mesh| !named.contains(&mesh.name)));
+            let own: Vec<String> = meshes.iter().map(|mesh| mesh.name.clone()).collect();
+            let others = self.other_data(data, named).into_iter();
+            meshes.extend(others.filter(|mesh| !own.contains(&mesh.name)));
         }
         meshes.sort_by_key(|mesh| mesh.triangles);
         for mesh in meshes {
@@ -156,13 +159,15 @@ impl Plan {
         self.remarks.push(format!("--data: not used: {}; {why}", unused.join(", ")));
     }
 
-    /// Returns the meshes of `data` that are none of the papers'.
-    fn other_data(&mut self, data: &[DataMesh]) -> Vec<PlannedMesh> {
-        let is_paper = |mesh: &DataMesh| {
-            paper::ALL.iter().any(|paper| mesh.is_called(paper.name) && mesh.has_counts_of(paper))
+    /// Returns the meshes of `data` that are none of the papers' meshes `named`.
+    fn other_data(&mut self, data: &[DataMesh], named: &[&String]) -> Vec<PlannedMesh> {
+        let is_named = |mesh: &DataMesh| {
+            let papers =
+                paper::ALL.iter().filter(|paper| named.iter().any(|&name| name == paper.name));
+            papers.into_iter().any(|paper| mesh.is_called(paper.name) && mesh.has_counts_of(paper))
         };
         let mut meshes = Vec::new();
-        for mesh in data.iter().filter(|&mesh| !is_paper(mesh)) {
+        for mesh in data.iter().filter(|&mesh| !is_named(mesh)) {
             match &mesh.problem {
                 None => meshes.push(PlannedMesh::real(mesh)),
                 Some(problem) => {
@@ -377,6 +382,10 @@ mod tests {
         assert_eq!(Plan::new(&twice, Scale::Full, &data).unwrap().remarks, plan.remarks);
         let plan = Plan::new(&experiments, Scale::Demo, &data).unwrap();
         assert_eq!(plan.blocks[0].mesh.kind(), MeshKind::StandIn);
+        // Where no experiment names it, it is one of the others.
+        let others = experiment(&more.replace("\"botijo\"", ""));
+        let plan = Plan::new(&[others], Scale::Full, &data).unwrap();
+        assert!(plan.blocks.iter().any(|block| block.mesh.name == "Botijo_scan"));
     }
 
     #[test]

@@ -2,15 +2,20 @@
 //!
 //! A conversion may leave triangles: each must be one of the input, each quad two of them, and
 //! together they must cover the input once. A result without triangles passes [`triquad::check`]
-//! too, as the quads of `triquad convert` do.
+//! too, as the quads of `triquad convert` do. Such a result may also consist of pairs of triangles
+//! of another triangulation of the surface, as that of LRS; then the edges flipped are counted.
 
 use std::collections::HashSet;
 
 use triquad::irreducible::{IrreducibleError, check_irreducible};
 use triquad::quadrangulation::quality::Quality;
-use triquad::quadrangulation::{MixedFaces, SharpEdges, check_mixed};
-use triquad::{Mesh, Mismatch, Survey, Triangulation, check};
+use triquad::quadrangulation::{SharpEdges, check_mixed};
+use triquad::triangulation::{HalfEdgeId, Surface};
+use triquad::{
+    CheckReport, Mesh, Mismatch, Survey, Triangulation, check, check_retriangulation, common_edges,
+};
 
+use super::flips;
 use super::measured::Measured;
 use super::task::Task;
 
@@ -74,36 +79,62 @@ fn verify_quads(
     result: &Mesh,
     counts: Measured,
 ) -> Result<Measured, ResultError> {
-    let checked = check_mixed(result, input)?;
-    let (quads, left) = (checked.report.quads, checked.report.triangles);
-    if left == 0 {
+    let (report, flips) = match check_mixed(result, input) {
+        Ok(checked) => (checked.report, 0),
+        Err(mismatch) => check_flipped(input, result).ok_or(mismatch)?,
+    };
+    let (quads, left) = (report.quads, report.triangles);
+    if left == 0 && flips == 0 {
         check(result, input)?;
     }
     let triangles = input.faces().len();
-    let pairing = MixedFaces::new(surface, &checked.matching);
-    let sharp = SharpEdges::new(surface, input.positions(), pairing.removed());
+    let sharp = SharpEdges::new(surface, input.positions(), &removed(surface, result));
     let shape = (quads > 0).then(|| Quality::new(result));
     Ok(Measured {
         quads: Some(quads as u64),
         unpaired_triangles: Some(left as u64),
         paired_percent: Some(100.0 * (triangles - left) as f64 / triangles as f64),
-        edge_flips: Some(0),
+        edge_flips: Some(flips as u64),
         quality_minimum: shape.map(|shape| shape.minimum),
         quality_mean: shape.map(|shape| shape.mean),
         quality_one_percent: shape.map(|shape| shape.one_percent),
         folded_quads: shape.map(|shape| shape.folded as u64),
         sharp_edges: Some(sharp.all as u64),
         sharp_edges_kept: Some(sharp.kept as u64),
-        degree_two_vertices: Some(checked.report.degree_two_vertices as u64),
+        degree_two_vertices: Some(report.degree_two_vertices as u64),
         ..counts
     })
+}
+
+/// Checks quads as pairs of triangles of another triangulation of the surface of `input`; returns
+/// their counts and how many of its edges `input` does not have.
+fn check_flipped(input: &Mesh, result: &Mesh) -> Option<(CheckReport, usize)> {
+    if result.faces().iter().any(|face| face.len() != 4) {
+        return None;
+    }
+    let paired = flips::cut(result, input);
+    Triangulation::build(&paired).ok()?;
+    check_retriangulation(&paired, input).ok()?;
+    let report = check(result, &paired).ok()?;
+    let (common, all) = common_edges(&paired, input);
+    Some((report, all - common))
+}
+
+/// Returns the edges of the surface that `result` does not have.
+fn removed(surface: &Triangulation, result: &Mesh) -> Vec<HalfEdgeId> {
+    let left = flips::edges(result);
+    let is_removed = |&side: &HalfEdgeId| {
+        let [u, v] = surface.ends(side).map(u32::from);
+        !left.contains(&flips::sorted(u, v))
+    };
+    surface.edges().filter(is_removed).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use triquad::mesh::Faces;
-    use triquad::{Converter, Mesh};
+    use triquad::{Algorithm, Converter, Expansion, Mesh};
     use triquad_generators::grids;
 
     fn input() -> Mesh {
@@ -136,6 +167,19 @@ mod tests {
         assert_eq!((none.unpaired_triangles, none.quads), (Some(126), Some(0)));
         assert_eq!((none.quality_mean, none.folded_quads), (None, None));
         assert_eq!(none.sharp_edges, none.sharp_edges_kept);
+    }
+
+    #[test]
+    fn quads_of_another_triangulation_are_counted_with_their_flips() {
+        let algorithm = Algorithm::Lrs(Expansion::Printed);
+        let converted = Converter::new().algorithm(algorithm).run(input()).unwrap();
+        let flips = converted.report().edge_flips;
+        let found = verify(Task::Convert, &input(), converted.mesh()).unwrap();
+        assert!(flips > 0 && found.edge_flips > Some(0), "{found:?}");
+        // An edge that was flipped and removed afterwards does not show.
+        assert!(found.edge_flips <= Some(flips as u64));
+        assert_eq!((found.unpaired_triangles, found.quads), (Some(0), Some(63)));
+        assert!(found.sharp_edges_kept < found.sharp_edges);
     }
 
     #[test]

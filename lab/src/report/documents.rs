@@ -172,6 +172,7 @@ const TABLES: &[DocumentTable] = &[
             ("folded", "folded_quads"),
             ("sharp edges kept", "sharp_edges_kept"),
             ("of", "sharp_edges"),
+            ("flipped", "edge_flips"),
             ("degree 2", "degree_two_vertices"),
             ("pairing, s", "total_seconds"),
             ("file to file, s", "process_seconds"),

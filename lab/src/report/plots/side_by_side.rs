@@ -5,38 +5,39 @@ use super::chart::Chart;
 use super::ratios::Rows;
 use crate::experiment::{Job, RunRecord};
 use crate::paper::Paper;
+use crate::report::notes::Note;
 use crate::report::summary::{Cell, Summary};
 
 /// Makes the charts of results that were measured from files.
 pub fn all(summary: &Summary) -> Vec<Chart> {
-    let mean = chart(summary, "side_by_side_mean", "mean scaled Jacobian", |run| {
-        run.measured.quality_mean
+    // A pairing that leaves out what is hard to pair must not look better for it.
+    let mean = chart(summary, "side_by_side_mean", |run| {
+        let paired = 2.0 * run.measured.quads? as f64 / run.measured.triangles? as f64;
+        Some(paired * run.measured.quality_mean?)
     });
-    let folded = chart(summary, "side_by_side_folded", "folded quads, %", |run| {
-        Some(100.0 * run.measured.folded_quads? as f64 / run.measured.quads? as f64)
-    });
-    let caption = "The farther right, the better. Gmsh, MeshLab, Blender and the greedy program may \
-                   leave triangles, which are not counted here: see the table.";
+    let caption = "The sum of the scaled Jacobians of all quads, divided by half the number of \
+                   triangles: the farther right, the better.";
     let mean = Chart {
         title: "Shape of the quads, pairings side by side".into(),
+        x_name: "mean scaled Jacobian; triangles left over count as 0".into(),
         caption: caption.into(),
         ..mean
     };
-    let caption = "Quads of scaled Jacobian 0 and less. The farther left, the better.";
+    let folded = chart(summary, "side_by_side_folded", |run| {
+        Some(100.0 * run.measured.folded_quads? as f64 / run.measured.quads? as f64)
+    });
+    let caption = "Quads of scaled Jacobian 0 and less: the farther left, the better. Triangles left \
+                   over are not counted.";
     let folded = Chart {
         title: "Folded quads, pairings side by side".into(),
+        x_name: "folded quads, % of the quads".into(),
         caption: caption.into(),
         ..folded
     };
     vec![mean, folded]
 }
 
-fn chart(
-    summary: &Summary,
-    stem: &str,
-    quantity: &str,
-    number: impl Fn(&RunRecord) -> Option<f64>,
-) -> Chart {
+fn chart(summary: &Summary, stem: &str, number: impl Fn(&RunRecord) -> Option<f64>) -> Chart {
     let cells = summary.measured_from_files(Paper::Comparison);
     let mut jobs: Vec<Job> = Vec::new();
     for cell in &cells {
@@ -52,6 +53,9 @@ fn chart(
             Some((cell.mean(&number)?, false))
         });
     }
-    let chart = rows.chart(stem, "", quantity, ["", ""]);
-    Chart { x_spread: Spread::Linear, line: None, ..chart }
+    // No times are shown, so that no remark on times is needed.
+    let notes = Note::on(cells.into_iter()).into_iter().filter(|note| *note == Note::StandIn);
+    let notes = notes.filter_map(|note| note.legend()).collect();
+    let chart = rows.chart(stem, "", "", ["", ""]);
+    Chart { x_spread: Spread::Linear, line: None, notes, ..chart }
 }

@@ -29,6 +29,7 @@ pub fn table(summary: &Summary) -> Option<ReportTable> {
         mean_count("folded_quads", 0, |measured| measured.folded_quads),
         mean_count("sharp_edges_kept", 0, |measured| measured.sharp_edges_kept),
         mean_count("sharp_edges", 0, |measured| measured.sharp_edges).heading("of sharp edges"),
+        mean_count("edge_flips", 0, |measured| measured.edge_flips),
         mean_count("degree_two_vertices", 0, |measured| measured.degree_two_vertices),
         mean("total_seconds", 0, Value::Seconds, RunRecord::whole_total_seconds)
             .heading("pairing, s"),
