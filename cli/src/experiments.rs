@@ -62,9 +62,7 @@ impl Selection {
         let data = self.data()?;
         data.remarks.iter().for_each(|remark| stdio::complain(remark));
         let plan = Plan::new(&experiments, self.scale, &data.meshes);
-        let mut plan = plan.map_err(|error| {
-            Failure::bad(format!("{error}; name its folder with --data, or take it out"))
-        })?;
+        let mut plan = plan.map_err(|error| Failure::bad(error.to_string()))?;
         if let Some((i, n)) = self.shard {
             plan.shard(i, n);
         }
