@@ -1,11 +1,13 @@
-//! Blocks read in chunks, against the same text read line by line.
+//! Texts read in chunks and written in pieces, against the same line by line.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
-use rayon::ThreadPoolBuilder;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::blocks::BLOCK;
 use super::read_blocks;
+use super::write::write_pieces;
+use crate::Mesh;
 
 /// Lines of all kinds; those at the end have faults, or white space that hides their keyword.
 const LINES: [&str; 36] = [
@@ -74,6 +76,21 @@ fn found(text: &[u8], block: usize, chunk: usize) -> String {
     }
 }
 
+fn pool(threads: usize) -> ThreadPool {
+    ThreadPoolBuilder::new().num_threads(threads).build().unwrap()
+}
+
+/// Returns the file of a mesh, made in pieces of so many lines.
+fn written(mesh: &Mesh, lines: usize, at_once: usize) -> Vec<u8> {
+    let mut file = Vec::new();
+    write_pieces(&mut file, mesh, lines, at_once).unwrap();
+    file
+}
+
+fn threads() -> impl Strategy<Value = usize> {
+    prop::sample::select(vec![1, 2, 3, 8])
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
     #[test]
@@ -81,11 +98,23 @@ proptest! {
         text in text(),
         block in 1..400_usize,
         chunk in prop_oneof![Just(0), 1..200_usize],
-        threads in prop::sample::select(vec![1, 2, 3, 8]),
+        threads in threads(),
     ) {
         let line_by_line = found(&text, BLOCK, BLOCK);
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        let in_chunks = pool.install(|| found(&text, block, chunk));
+        let in_chunks = pool(threads).install(|| found(&text, block, chunk));
         prop_assert_eq!(in_chunks, line_by_line);
+    }
+
+    #[test]
+    fn pieces_of_any_length_make_the_same_file(
+        text in text(),
+        lines in 1..9_usize,
+        at_once in 1..9_usize,
+        threads in threads(),
+    ) {
+        if let Ok(mesh) = read_blocks(&mut &text[..], BLOCK, BLOCK) {
+            let in_pieces = pool(threads).install(|| written(&mesh, lines, at_once));
+            prop_assert_eq!(in_pieces, pool(1).install(|| written(&mesh, usize::MAX, 1)));
+        }
     }
 }
