@@ -20,21 +20,25 @@ PACKAGES := triquad-generators triquad triquad-render triquad-lab triquad-cli
 PACKAGE_BYTES := 1000000
 # Records that the tables of README and docs are made of: the newest in the repository.
 RESULTS ?= $(lastword $(sort $(wildcard results/20*)))
+# Records of our algorithms beside programs of others, made by `make quality`: the newest too.
+QUALITY ?= $(lastword $(sort $(wildcard results/quality-20*)))
 # Seconds that each fuzz target runs.
 FUZZ_SECONDS ?= 60
 
-.PHONY: help build reproduce demo compare report test check prose features dependencies bench fuzz
-.PHONY: package documents release-results clean toolchain python test-python bench-python
+.PHONY: help build reproduce demo quality compare report test check prose features dependencies bench
+.PHONY: fuzz package documents release-results clean toolchain python test-python bench-python
 
 help:
 	@echo "make build      builds the tool, target/release/triquad"
 	@echo "make demo       runs the papers' experiments on small meshes: a minute after the build"
 	@echo "make reproduce  runs the demo, then all experiments: about an hour. Resumes if"
 	@echo "                interrupted. DATA=folder adds meshes of your own"
+	@echo "make quality    our algorithms beside Gmsh, MeshLab and Blender where these are installed;"
+	@echo "                DATA=folder for meshes of your own"
 	@echo "make compare    prints every claim of the papers with its verdict, from OUT"
 	@echo "make report     rebuilds tables, plots, pictures and the page of OUT from its records"
 	@echo "make test       format, lints, documentation, all tests; ends with the tests that skipped"
-	@echo "make documents  fills the tables of README and docs from RESULTS"
+	@echo "make documents  fills the tables of README and docs from RESULTS and QUALITY"
 	@echo "make python     builds the wheel of the Python package, target/wheels; needs Python 3.10"
 	@echo "make test-python  tests the wheel in a virtual environment"
 	@echo "make bench-python  a million triangles from numpy against the command: time and memory"
@@ -59,6 +63,10 @@ demo: build
 reproduce: demo
 	$(TRIQUAD) run $(EXPERIMENTS) --out $(OUT) $(if $(DATA),--data "$(DATA)")
 
+# Programs of others are found through PATH; what is not installed is skipped.
+quality: build
+	$(TRIQUAD) run experiments/quality.toml --out $(OUT)-quality $(if $(DATA),--data "$(DATA)")
+
 compare: build
 	$(TRIQUAD) compare $(OUT)
 
@@ -68,6 +76,8 @@ report: build
 documents: build
 	$(TRIQUAD) report $(RESULTS) --pictures $(PICTURES) --docs README.md docs/*.md
 	cp $(RESULTS)/plots/lrs_against_ps.svg docs/
+	$(TRIQUAD) report $(QUALITY) --docs docs/quality.md
+	cp $(QUALITY)/plots/side_by_side_mean.svg docs/
 
 # What is attached to a release: the newest results with page, plots and pictures.
 release-results: build

@@ -5,13 +5,20 @@ use std::path::Path;
 
 use super::plan::{Block, PlannedRun};
 use super::planned_mesh::{PlannedMesh, Source};
-use super::program_spec::{Places, ProgramSpec};
+use super::program_spec::{Places, ProgramFormat, ProgramSpec};
 use crate::meshes::paper::Scale;
 
-/// Returns the arguments of the run on that file.
-pub(super) fn arguments(mesh_file: &Path, run: &PlannedRun) -> Vec<OsString> {
+/// Returns the arguments of the run on that file; `result` is where its result goes, if anywhere.
+pub(super) fn arguments(
+    mesh_file: &Path,
+    run: &PlannedRun,
+    result: Option<&Path>,
+) -> Vec<OsString> {
     let mut arguments = vec![run.job.task().id().into(), mesh_file.into()];
     arguments.extend(options(run).into_iter().map(OsString::from));
+    if let Some(result) = result {
+        arguments.extend(["-o".into(), result.into()]);
+    }
     arguments
 }
 
@@ -32,16 +39,21 @@ pub(super) fn command(block: &Block, run: &PlannedRun) -> String {
         return foreign_command(mesh, run, program);
     }
     let (make, file) = mesh_file(mesh, "ply");
-    format!("{make}triquad {} {file} {}", run.job.task().id(), options(run).join(" "))
+    let result = match block.leaves_file(run) {
+        true => format!(" -o {}", result_name(mesh, ProgramFormat::default().extension())),
+        false => String::new(),
+    };
+    format!("{make}triquad {} {file} {}{result}", run.job.task().id(), options(run).join(" "))
 }
 
 /// Returns the command of a program that is not ours. A file in another format is to be converted.
 fn foreign_command(mesh: &PlannedMesh, run: &PlannedRun, program: &ProgramSpec) -> String {
     let ending = program.format.extension();
     let (make, file) = mesh_file(mesh, ending);
+    let result = result_name(mesh, ending);
     let places = Places {
         mesh: Path::new(&file),
-        result: &Path::new(&mesh.name).with_extension(format!("result.{ending}")),
+        result: Path::new(&result),
         stats: &Path::new(&mesh.name).with_extension("json"),
         seed: run.seed,
     };
@@ -50,6 +62,11 @@ fn foreign_command(mesh: &PlannedMesh, run: &PlannedRun, program: &ProgramSpec) 
         shlex::try_join(words.iter().map(String::as_str)).unwrap_or_else(|_| words.join(" "));
     let line = line.chars().map(|letter| if letter.is_control() { ' ' } else { letter });
     format!("{make}{}", line.collect::<String>())
+}
+
+/// Returns the name of the file with the result on a mesh.
+fn result_name(mesh: &PlannedMesh, ending: &str) -> String {
+    format!("{}.result.{ending}", mesh.name)
 }
 
 /// Returns the command that makes the mesh, if it is made, and the name of its file.

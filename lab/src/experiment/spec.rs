@@ -14,6 +14,7 @@
 //! [[group]]
 //! name = "scans"
 //! meshes = ["botijo", "eros"]             # of the papers, or files in a data folder
+//! files = ["plate.obj.gz"]                # beside the experiment file
 //!
 //! [[group.run]]
 //! algorithms = ["sg", "lrs few-flips"]
@@ -51,6 +52,10 @@ pub struct Experiment {
     pub seed: u64,
     /// The mesh whose results are drawn.
     pub pictures: Option<String>,
+    /// True if our algorithms are measured as programs of others are: from the file of the mesh to
+    /// that of the result, which is checked and measured by the lab.
+    #[serde(default)]
+    pub measured_from_files: bool,
     /// When a run is stopped.
     pub limits: Limits,
     /// Programs that are not ours, to be named among the algorithms.
@@ -80,6 +85,9 @@ pub struct MeshGroup {
     /// Names of meshes, in any order.
     #[serde(default)]
     pub meshes: Vec<String>,
+    /// Mesh files, their paths relative to the experiment file, at every scale.
+    #[serde(default)]
+    pub files: Vec<PathBuf>,
     /// True if every other mesh in the data folders belongs to it.
     #[serde(default)]
     pub other_data: bool,
@@ -184,6 +192,8 @@ impl Experiment {
             let here = path.parent().filter(|folder| !folder.as_os_str().is_empty());
             let here = here.unwrap_or(Path::new(".")).to_owned();
             experiment.programs.iter_mut().for_each(|program| program.here.clone_from(&here));
+            let files = experiment.groups.iter_mut().flat_map(|group| &mut group.files);
+            files.for_each(|file| *file = here.join(&*file));
             experiment
         });
         read.map_err(|error| SpecFileError { path: path.to_owned(), error })

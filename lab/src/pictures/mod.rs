@@ -16,7 +16,7 @@ use triquad_render::PictureError;
 pub use polygons::polygons;
 pub use quads::{POOR, QuadScene};
 pub use record::{PictureRecord, Subject, View};
-pub use shaft_box::box_picture;
+pub use shaft_box::{DRAWN_DEPTH, box_picture};
 
 use crate::algorithms::AlgorithmFacts;
 use crate::experiment::job::{UnknownNameError, find_conversion};
