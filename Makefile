@@ -51,20 +51,20 @@ build: toolchain
 	$(CARGO) build --release
 
 demo: build
-	$(TRIQUAD) run $(EXPERIMENTS) --scale demo --out $(OUT)-demo
+	"$(TRIQUAD)" run $(EXPERIMENTS) --scale demo --out "$(OUT)-demo"
 
 reproduce: demo
-	$(TRIQUAD) run $(EXPERIMENTS) --out $(OUT) $(if $(DATA),--data "$(DATA)")
+	"$(TRIQUAD)" run $(EXPERIMENTS) --out "$(OUT)" $(if $(DATA),--data "$(DATA)")
 
 compare: build
-	$(TRIQUAD) compare $(OUT)
+	"$(TRIQUAD)" compare "$(OUT)"
 
 report: build
-	$(TRIQUAD) report $(OUT)
+	"$(TRIQUAD)" report "$(OUT)"
 
 documents: build
-	$(TRIQUAD) report $(RESULTS) --docs README.md docs/*.md
-	cp $(RESULTS)/plots/lrs_against_ps.svg docs/
+	"$(TRIQUAD)" report "$(RESULTS)" --docs README.md docs/*.md
+	cp "$(RESULTS)"/plots/lrs_against_ps.svg docs/
 
 # Columns, and words in documents.
 prose:
@@ -95,8 +95,8 @@ dependencies: toolchain
 
 test: check
 	$(CARGO) test --workspace --exclude triquad-python -- --include-ignored --show-output 2>&1 | \
-	  tee $(TARGET)/tests.log
-	@.ci/skipped $(TARGET)/tests.log
+	  tee "$(TARGET)/tests.log"
+	@.ci/skipped "$(TARGET)/tests.log"
 
 python: toolchain
 	@.ci/python build
