@@ -126,10 +126,10 @@ fn become_foreign_program() -> Option<ExitCode> {
     Some(ExitCode::from(127))
 }
 
-/// Makes a file that outgrows a limit (`ulimit -f`) an error of writing, not the end of the process.
+/// Makes a file that outgrows a limit (`ulimit -f`) an error of writing. The signal would end the
+/// process.
 #[cfg(unix)]
 fn outlive_full_files() {
-    // Without the handler the signal ends the process, as before.
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 

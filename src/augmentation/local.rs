@@ -27,9 +27,9 @@ const GROWTH: usize = 2;
 
 /// Number of visits, in sizes of the mesh, after which the search is given up.
 ///
-/// As long as a search is local, 3.2 visits a triangle have sufficed, after random pairings of up to
-/// four million triangles of any kind. Beyond, it is not, and nothing but k n bounds what is still
-/// to come. A detour costs as much as thirty visits of each triangle or so.
+/// As long as a search is local, 3.2 visits a triangle have sufficed, after random pairings of up
+/// to four million triangles of any kind. Beyond, it is not, and nothing but k n bounds what is
+/// still to come. A detour costs as much as thirty visits of each triangle or so.
 const PATIENCE: usize = 4;
 
 /// Augments until no path is left.

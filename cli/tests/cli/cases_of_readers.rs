@@ -140,8 +140,18 @@ fn bytes() -> Vec<Case> {
         case("UTF-16, little", "i.obj", utf16(&obj(), u16::to_le_bytes), Read(&[])),
         case("UTF-16, big", "j.off", utf16(OFF, u16::to_be_bytes), Read(&[])),
         case("zeros behind the stream", "k.obj.gz", zeros, Read(&[])),
-        case("a newline behind the end", "l.stl", binary_stl(b"\n"), Read(&["data after the last triangle"])),
-        case("zeros behind the end", "m.stl", binary_stl(&[0; 33]), Read(&["data after the last triangle"])),
+        case(
+            "a newline behind the end",
+            "l.stl",
+            binary_stl(b"\n"),
+            Read(&["data after the last triangle"]),
+        ),
+        case(
+            "zeros behind the end",
+            "m.stl",
+            binary_stl(&[0; 33]),
+            Read(&["data after the last triangle"]),
+        ),
         case("a line without end", "n.obj.gz", gzip(&vec![b'v'; 17 << 20]), {
             Refused(&["n.obj.gz: line 1: a line of more than", "export it again"])
         }),
@@ -160,7 +170,7 @@ fn dialects() -> Vec<Case> {
         case("free line breaks", "a.off", free, Read(&[])),
         case("triangle strips", "b.ply", strips, Read(&[])),
         case("two words", "c.stl", stl("end loop\nend facet", "end solid"), Read(&[])),
-        case("colours between facets", "d.stl", coloured, Read(&[])),
+        case("colours between facets", "d.stl", coloured, Read(&["colours"])),
     ]
 }
 
