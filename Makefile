@@ -7,6 +7,8 @@ export CARGO_INCREMENTAL := 0
 TARGET := $(or $(CARGO_TARGET_DIR),target)
 TRIQUAD := $(TARGET)/release/triquad
 EXPERIMENTS := experiments/comparison.toml experiments/irreducible.toml
+# Experiment files whose pictures the page shows.
+PICTURES := experiments/comparison.toml
 # Where results go; the small ones of `make demo` beside them.
 OUT ?= results/local
 # A folder with meshes of your own: scans of the papers are taken from there, others run too.
@@ -24,7 +26,7 @@ QUALITY ?= $(lastword $(sort $(wildcard results/quality-20*)))
 FUZZ_SECONDS ?= 60
 
 .PHONY: help build reproduce demo quality compare report test check prose features dependencies bench
-.PHONY: fuzz package documents clean toolchain python test-python
+.PHONY: fuzz package documents release-results clean toolchain python test-python
 
 help:
 	@echo "make build      builds the tool, target/release/triquad"
@@ -34,7 +36,7 @@ help:
 	@echo "make quality    our algorithms beside Gmsh, MeshLab and Blender where these are installed;"
 	@echo "                DATA=folder for meshes of your own"
 	@echo "make compare    prints every claim of the papers with its verdict, from OUT"
-	@echo "make report     rebuilds tables, plots and the page of OUT from its records"
+	@echo "make report     rebuilds tables, plots, pictures and the page of OUT from its records"
 	@echo "make test       format, lints, documentation, all tests; ends with the tests that skipped"
 	@echo "make documents  fills the tables of README and docs from RESULTS and QUALITY"
 	@echo "make python     builds the wheel of the Python package, target/wheels; needs Python 3.10"
@@ -68,13 +70,20 @@ compare: build
 	$(TRIQUAD) compare $(OUT)
 
 report: build
-	$(TRIQUAD) report $(OUT)
+	$(TRIQUAD) report $(OUT) --pictures $(PICTURES)
 
 documents: build
-	$(TRIQUAD) report $(RESULTS) --docs README.md docs/*.md
+	$(TRIQUAD) report $(RESULTS) --pictures $(PICTURES) --docs README.md docs/*.md
 	cp $(RESULTS)/plots/lrs_against_ps.svg docs/
 	$(TRIQUAD) report $(QUALITY) --docs docs/quality.md
 	cp $(QUALITY)/plots/side_by_side_mean.svg docs/
+
+# What is attached to a release: the newest results with page, plots and pictures.
+release-results: build
+	$(TRIQUAD) report $(RESULTS) --pictures $(PICTURES)
+	cd $(RESULTS) && sha256sum --check --quiet SHA256SUMS
+	git diff --exit-code --stat -- $(RESULTS)
+	tar -czf $(TARGET)/results.tar.gz $(RESULTS)
 
 # Columns, and words in documents.
 prose:

@@ -29,6 +29,7 @@ mod machine;
 mod manual;
 mod merge;
 mod names;
+mod own_program;
 mod paper;
 mod plan;
 mod progress;

@@ -19,7 +19,7 @@ use triquad_lab::report::{self as lab_report, Extent};
 
 use crate::experiments::{Selection, duration};
 use crate::failure::Failure;
-use crate::{bad_runs, generate, input, report, stdio};
+use crate::{bad_runs, generate, input, own_program, report, stdio};
 
 /// Run experiments: each run is a process, and a row of runs.csv
 ///
@@ -113,28 +113,14 @@ fn runner(arguments: &Arguments, journal: &mut Journal) -> io::Result<Runner> {
     let facts = machine::facts();
     let name = machine::name_of(&facts);
     journal.note_machine(&name, facts)?;
-    let program = own_program()?;
     Ok(Runner {
-        program_hash: machine::hash_of_file(&program)?,
-        program,
+        program_hash: own_program::hash()?,
+        program: own_program::path()?,
         machine: name,
         workshop: arguments.out.join("meshes"),
         cache: arguments.cache.folder(),
         jobs: arguments.jobs,
     })
-}
-
-/// Returns a path that leads to this very program, even if its file is replaced meanwhile.
-#[cfg(target_os = "linux")]
-fn own_program() -> io::Result<PathBuf> {
-    let program = Path::new("/proc/self/exe");
-    // Without /proc there is the path only.
-    if program.exists() { Ok(program.to_owned()) } else { std::env::current_exe() }
-}
-
-#[cfg(not(target_os = "linux"))]
-fn own_program() -> io::Result<PathBuf> {
-    std::env::current_exe()
 }
 
 fn picture_failure(mesh: &str, error: &DrawError) -> Failure {

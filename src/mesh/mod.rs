@@ -3,7 +3,7 @@
 //! OBJ, PLY, OFF and STL are read, OBJ, PLY and OFF are written, each also gzipped. Readers keep
 //! the order of vertices and faces, unreferenced vertices and every f64 value. Writers print values
 //! that read back to the same f64. Nothing about the mesh is judged here.
-//! Uses [`atomic_file`](crate::atomic_file) alone.
+//! Uses [`atomic_file`](crate::atomic_file) and threads, nothing else of the library.
 
 mod attributes;
 mod corner_indices;

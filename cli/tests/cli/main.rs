@@ -6,6 +6,8 @@ mod defective_meshes;
 #[cfg(unix)]
 mod documents;
 mod experiments;
+#[cfg(unix)]
+mod numbers;
 mod open;
 mod own_results;
 #[path = "../../../lab/tests/lab/records.rs"]

@@ -195,6 +195,8 @@ fn irreducible(results: &mut Results, group: &str, mesh: &str) {
                 seconds: Some(rs * slower),
                 link_condition_tests: Some(spread(tests)),
                 edges_tested_more_than_once: Some(spread(again)),
+                link_vertices_visited: Some(2 * spread(tests)),
+                degree_products: Some(40 * spread(tests)),
                 result_vertices: Some(if size.genus == 0 { 4 } else { 10 * u64::from(size.genus) }),
                 ..run.measured
             };

@@ -215,6 +215,27 @@ fn stand_ins_extrapolation_and_disturbed_runs_are_told() {
 }
 
 #[test]
+fn costs_of_tests_stand_beside_their_numbers_and_shuffles_apart() {
+    let mut results = of_the_papers();
+    let tests = table(&results, "table_8.csv");
+    let found = |column: &str| field(&tests, &["ir-C3"], column);
+    assert_eq!(found("schipper_link_condition_tests"), "615112.0");
+    assert_eq!(found("schipper_link_vertices_visited"), "1230224.0");
+    assert_eq!(found("schipper_link_vertices_visited_a_test"), "2.000");
+    assert_eq!(found("brute_force_degree_products_a_test"), "40.00");
+    let shown = tests.columns.iter().filter(|column| column.is_shown);
+    assert_eq!(shown.filter(|column| column.name.ends_with("_a_test")).count(), 6);
+
+    for run in &mut results.records {
+        run.measured.shuffle_seconds = run.measured.pairing_seconds.map(|seconds| seconds / 4.0);
+    }
+    let pairings = table(&results, "table_4_3.csv");
+    let seconds = |column| -> f64 { field(&pairings, &["eros", "sg"], column).parse().unwrap() };
+    let ratio = seconds("pairing_seconds_without_shuffle") / seconds("pairing_seconds");
+    assert!((ratio - 0.75).abs() < 1e-3, "{ratio}");
+}
+
+#[test]
 fn both_augmentations_stand_side_by_side() {
     let mut results = of_the_papers();
     let conversions = results.records.clone().into_iter();

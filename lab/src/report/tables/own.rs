@@ -141,6 +141,8 @@ fn irreducible(summary: &Summary) -> ReportTable {
         seconds("seconds_upper_quartile", |time| time.upper_quartile).hidden(),
         mean_count("link_condition_tests", 0, |measured| measured.link_condition_tests),
         mean_count("edges_tested_more_than_once", 0, |run| run.edges_tested_more_than_once),
+        mean_count("link_vertices_visited", 0, |measured| measured.link_vertices_visited),
+        mean_count("degree_products", 0, |measured| measured.degree_products),
         mean_count("result_vertices", 0, |measured| measured.result_vertices),
         mean_count("result_triangles", 0, |measured| measured.result_triangles),
         columns::outcomes("outcomes", 0),
