@@ -28,7 +28,7 @@
 //! [`program_spec`](super::program_spec).
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
