@@ -20,6 +20,25 @@ pub(crate) fn join<A: Send, B: Send>(
     (one(), other())
 }
 
+/// Does `work` on other threads, if there are any, while this one does its `own`.
+#[cfg(feature = "files")]
+pub(crate) fn beside<A: Send, B>(
+    work: impl FnOnce() -> A + Send,
+    own: impl FnOnce() -> B,
+) -> (A, B) {
+    #[cfg(feature = "threads")]
+    if rayon::current_num_threads() > 1 {
+        let mut done = None;
+        let owned = rayon::in_place_scope(|scope| {
+            scope.spawn(|_| done = Some(work()));
+            own()
+        });
+        return (done.expect("the scope waits for it"), owned);
+    }
+    let owned = own();
+    (work(), owned)
+}
+
 /// Divides `0..length` into ranges, one for each thread if there are indices enough.
 ///
 /// Where they end depends on the number of threads; the caller sees to it that results do not.

@@ -39,10 +39,10 @@ impl Converter<'_> {
         drop((paired.perfect, paired.dual));
 
         self.enter(Stage::Checking);
-        let quads = quadrangulation.faces();
+        let quads = quadrangulation.to_faces();
         let flipped = match &paired.triangulation {
             Cow::Borrowed(_) => None,
-            Cow::Owned(flipped) => Some(flipped.faces()),
+            Cow::Owned(flipped) => Some(flipped.to_faces()),
         };
         let (check, check_seconds) = self.time(|_| check_result(&quads, flipped.as_ref(), &mesh));
         let check = check?;

@@ -54,6 +54,15 @@ impl CornerIndices {
         self.0.resize(corners, NONE);
     }
 
+    /// Appends those of other corners, which begin at corner `first`.
+    #[cfg(feature = "files")]
+    pub(super) fn append(&mut self, first: usize, other: &Self) {
+        if !other.is_empty() {
+            self.pad(first);
+            self.0.extend_from_slice(&other.0);
+        }
+    }
+
     /// Returns whether every corner in `range` has an index.
     #[cfg(feature = "files")]
     pub(super) fn has_all(&self, range: std::ops::Range<usize>) -> bool {

@@ -126,6 +126,20 @@ impl Faces {
         self.close_face(corners.len());
     }
 
+    /// Appends all faces of another list.
+    #[cfg(feature = "files")]
+    pub(super) fn append(&mut self, other: &Self) {
+        match (&mut self.shape, &other.shape) {
+            (Shape::Uniform(arity), Shape::Uniform(others))
+                if arity == others || self.corners.is_empty() =>
+            {
+                *arity = *others;
+                self.corners.extend_from_slice(&other.corners);
+            }
+            _ => other.iter().for_each(|face| self.push(face)),
+        }
+    }
+
     /// Appends one corner to the face that the next [`Faces::close_face`] will end.
     #[cfg(feature = "files")]
     #[inline]

@@ -33,6 +33,14 @@ impl TextList {
         self.ends.push(self.bytes.len());
     }
 
+    /// Appends all texts of another list.
+    #[cfg(feature = "files")]
+    pub(super) fn append(&mut self, other: &Self) {
+        let before = self.bytes.len();
+        self.bytes.extend_from_slice(&other.bytes);
+        self.ends.extend(other.ends.iter().map(|end| before + end));
+    }
+
     /// Iterates over all texts in order.
     pub fn iter(&self) -> TextListIter<'_> {
         TextListIter { bytes: &self.bytes, start: 0, ends: self.ends.iter() }

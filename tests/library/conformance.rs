@@ -119,7 +119,7 @@ fn assert_converts(surface: &Surface, settings: &Settings) {
     let triangulation = Triangulation::build(&list).unwrap();
     let conversion = settings.converter().quadrangulate(&triangulation).unwrap();
     let quads = corners(&conversion.quadrangulation);
-    let paired = list.clone().with_faces(conversion.triangulation.faces());
+    let paired = list.clone().with_faces(conversion.triangulation.to_faces());
     assert_quadrangulation(&paired, &quads);
     assert_same_surface(&conversion, &triangulation, &paired, &list);
     let degree_two = {

@@ -53,6 +53,13 @@ pub enum DrawError {
     Write(#[from] io::Error),
 }
 
+/// Returns whether the folder `pictures` in `out` has every picture that its list names.
+pub fn are_complete(out: &Path) -> bool {
+    let folder = out.join("pictures");
+    let rows = PictureRecord::read_all(&folder);
+    !rows.is_empty() && rows.iter().all(|row| folder.join(&row.file).is_file())
+}
+
 /// Draws the quads of `mesh` and the box into `pictures` in `out`, unless these pictures are there.
 ///
 /// Takes seconds; `begin` is called before. Meshes that take long to make are kept in `cache`.

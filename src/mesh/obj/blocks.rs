@@ -6,7 +6,7 @@ use super::statements::Continued;
 use crate::mesh::error::{MeshError, Place};
 use crate::mesh::line_ends;
 
-/// Number of bytes requested at a time.
+/// Number of bytes that one thread reads at a time.
 pub(super) const BLOCK: usize = 1 << 20;
 
 /// Lines up to this length are read whatever the blocks; continued lines count as one.
@@ -15,6 +15,8 @@ const LONGEST_LINE: usize = 1 << 24;
 /// The text in blocks of whole lines that end in line feeds, continued ones joined.
 #[derive(Default)]
 pub(super) struct Blocks {
+    /// Number of bytes requested at a time.
+    length: usize,
     buffer: Vec<u8>,
     /// Length of the last block given out, at the front of `buffer`.
     given: usize,
@@ -67,6 +69,11 @@ impl Lines<'_> {
 }
 
 impl Blocks {
+    /// Makes blocks of about `length` bytes.
+    pub(super) fn new(length: usize) -> Self {
+        Self { length, ..Self::default() }
+    }
+
     /// Reads the next block, or none at the end.
     pub(super) fn next(&mut self, input: &mut dyn Read) -> Result<Option<Block<'_>>, MeshError> {
         self.drop_given();
@@ -74,7 +81,7 @@ impl Blocks {
         loop {
             let before = self.buffer.len();
             // Doubling where a line is longer than a block, or searching it would be quadratic.
-            input.take(before.max(BLOCK) as u64).read_to_end(&mut self.buffer)?;
+            input.take(before.max(self.length) as u64).read_to_end(&mut self.buffer)?;
             let at_end = self.buffer.len() == before;
             self.unify_line_ends(at_end);
             let whole = &self.buffer[..self.unified];

@@ -43,6 +43,14 @@ impl Absent {
         self.note(u32::MAX, left);
     }
 
+    /// Adds what was noted in the next chunk, with `behind` bytes of the block after it.
+    pub(super) fn append(&mut self, chunk: Self, behind: usize) {
+        self.never += chunk.never;
+        for (index, mark) in chunk.beyond {
+            self.note(index, mark.left + behind);
+        }
+    }
+
     /// Finds the lines of what was noted in `block`, and drops what is given by now.
     pub(super) fn settle(&mut self, block: Block<'_>, given: usize) {
         let met = self.beyond.partition_point(|&(index, _)| (index as usize) < given);
@@ -88,6 +96,16 @@ impl Skipped {
             let shown = String::from_utf8_lossy(&line[..line.len().min(30)]);
             self.first = Some((shown.escape_debug().to_string(), Mark::new(left)));
         }
+    }
+
+    /// Adds what was noted in the next chunk, with `behind` bytes of the block after it.
+    pub(super) fn append(&mut self, chunk: Self, behind: usize) {
+        for (seen, also) in self.kinds.iter_mut().zip(chunk.kinds) {
+            *seen |= also;
+        }
+        self.unknown += chunk.unknown;
+        let first = chunk.first.map(|(text, mark)| (text, Mark::new(mark.left + behind)));
+        self.first = self.first.take().or(first);
     }
 
     /// Finds the line of what was noted in `block`.

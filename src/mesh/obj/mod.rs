@@ -2,11 +2,15 @@
 //!
 //! Reads `v`, `vt`, `vn` and `f` in all their forms, negative indices, continued lines and line
 //! ends of every kind. Objects, groups, smoothing groups and materials are kept as lines. What else
-//! the file holds is skipped and named. Reading is most of what users wait for, so numbers are
-//! parsed in place and in blocks.
+//! the file holds is skipped and named. Numbers are parsed in place, in blocks. Several threads read
+//! chunks of a block at once; the mesh and the errors are those of one thread.
 
 mod blocks;
+#[cfg(all(test, feature = "threads"))]
+mod chunk_tests;
+mod chunks;
 mod cursor;
+mod given;
 mod left_out;
 mod parser;
 mod statements;
@@ -16,33 +20,38 @@ mod write;
 
 use std::io::Read;
 
-use blocks::Blocks;
+use blocks::{BLOCK, Blocks};
+use chunks::read_chunks;
 use cursor::Cursor;
 use parser::Parser;
 pub(super) use write::write;
 
 use super::error::MeshError;
 use super::polygon_mesh::Mesh;
+use crate::parallel::threads;
 
 /// Reads an OBJ file, a block at a time: the text is never held as a whole.
 ///
 /// # Errors
 /// The first defect with its line, or an error of `input`.
 pub(super) fn read(input: &mut dyn Read) -> Result<Mesh, MeshError> {
+    match threads() {
+        1 => read_blocks(input, BLOCK, BLOCK),
+        threads => read_blocks(input, 2 * threads * BLOCK, BLOCK),
+    }
+}
+
+/// Reads an OBJ file by blocks of `block` bytes, each in chunks of `chunk` bytes; of 0, by the line.
+fn read_blocks(input: &mut dyn Read, block: usize, chunk: usize) -> Result<Mesh, MeshError> {
     let mut parser = Parser::default();
-    let mut blocks = Blocks::default();
+    let mut blocks = Blocks::new(block);
     while let Some(block) = blocks.next(input)? {
         let mut cursor = Cursor { rest: block.text };
         if block.lines_before == 0 {
             cursor.skip_byte_order_mark();
         }
-        let mut fault = None;
-        while fault.is_none() && !cursor.rest.is_empty() {
-            fault = parser.line(&mut cursor).err();
-            if fault.is_none() {
-                cursor.skip_line();
-            }
-        }
+        let is_read = read_chunks(&mut parser, cursor.rest, chunk);
+        let fault = if is_read { None } else { parser.lines(&mut cursor).err() };
         parser.settle(block);
         if let Some(fault) = fault {
             let line = block.line_at(block.text.len() - cursor.rest.len());

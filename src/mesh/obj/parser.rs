@@ -2,6 +2,7 @@
 
 use super::blocks::Block;
 use super::cursor::{Cursor, Fault};
+use super::given::Given;
 use super::left_out::{Absent, Skipped};
 use crate::mesh::attributes::{Attributes, FaceSection};
 use crate::mesh::corner_indices::CornerIndices;
@@ -9,9 +10,11 @@ use crate::mesh::error::MeshError;
 use crate::mesh::faces::MAX_CORNERS;
 use crate::mesh::polygon_mesh::Mesh;
 
-/// The mesh as far as it was read.
+/// The mesh as far as it was read, or a chunk of it.
 #[derive(Default)]
 pub(super) struct Parser {
+    /// Elements that come before the chunk.
+    before: Given,
     list: Mesh,
     attributes: Attributes,
     absent_texture: Absent,
@@ -22,9 +25,59 @@ pub(super) struct Parser {
 }
 
 impl Parser {
+    /// Begins a chunk with so much `before` it.
+    pub(super) fn after(before: Given) -> Self {
+        Self { before, ..Self::default() }
+    }
+
+    /// Returns the elements given so far, those before the chunk included.
+    pub(super) fn given(&self) -> Given {
+        Given {
+            vertices: self.before.vertices + self.list.positions.len(),
+            texture: self.before.texture + self.attributes.texture_coordinates.len(),
+            normals: self.before.normals + self.attributes.normals.len(),
+        }
+    }
+
+    /// Returns the number of corners read.
+    pub(super) fn corner_count(&self) -> usize {
+        self.list.faces.corners().len()
+    }
+
+    /// Reads all lines, or up to the beginning of a fault.
+    pub(super) fn lines(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+        while !cursor.rest.is_empty() {
+            self.line(cursor)?;
+            cursor.skip_line();
+        }
+        Ok(())
+    }
+
+    /// Adds the chunk that follows; `behind` bytes of the block come after that.
+    pub(super) fn append(&mut self, chunk: Self, behind: usize) {
+        let attributes = &mut self.attributes;
+        let (faces, corners) = (self.list.faces.len(), self.list.faces.corners().len());
+        self.list.positions.extend(chunk.list.positions);
+        self.list.faces.append(&chunk.list.faces);
+        attributes.texture_coordinates.append(&chunk.attributes.texture_coordinates);
+        attributes.normals.append(&chunk.attributes.normals);
+        attributes.corner_texture.append(corners, &chunk.attributes.corner_texture);
+        attributes.corner_normal.append(corners, &chunk.attributes.corner_normal);
+        for section in chunk.attributes.sections {
+            let first_face = faces + section.first_face;
+            attributes.sections.push(FaceSection { first_face, ..section });
+        }
+        attributes.libraries.extend(chunk.attributes.libraries);
+        self.absent_texture.append(chunk.absent_texture, behind);
+        self.absent_normals.append(chunk.absent_normals, behind);
+        self.has_weights |= chunk.has_weights;
+        self.has_colours |= chunk.has_colours;
+        self.skipped.append(chunk.skipped, behind);
+    }
+
     /// Reads a line.
     #[inline]
-    pub(super) fn line(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+    fn line(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         cursor.skip_blanks();
         match cursor.rest {
             [b'v', rest @ ..] if ends_word(rest) => {
@@ -79,7 +132,8 @@ impl Parser {
 
     /// Reads one corner: `v`, `v/vt`, `v//vn` or `v/vt/vn`, where `vt` and `vn` may be missing.
     fn corner(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
-        let vertex = resolve(cursor.integer()?, self.list.positions.len(), "vertex")?;
+        let vertex =
+            resolve(cursor.integer()?, self.before.vertices + self.list.positions.len(), "vertex")?;
         let corner = self.list.faces.corners().len();
         self.list.faces.push_corner(vertex);
         if !cursor.take(b'/') {
@@ -87,12 +141,14 @@ impl Parser {
         }
         let attributes = &mut self.attributes;
         if !cursor.is_omitted() {
-            let texture = (cursor.integer()?, attributes.texture_coordinates.len());
+            let given = self.before.texture + attributes.texture_coordinates.len();
+            let texture = (cursor.integer()?, given);
             let indices = &mut attributes.corner_texture;
             refer(texture, corner, indices, &mut self.absent_texture, cursor.rest.len());
         }
         if cursor.take(b'/') && !cursor.is_omitted() {
-            let normal = (cursor.integer()?, attributes.normals.len());
+            let given = self.before.normals + attributes.normals.len();
+            let normal = (cursor.integer()?, given);
             let indices = &mut attributes.corner_normal;
             refer(normal, corner, indices, &mut self.absent_normals, cursor.rest.len());
         }

@@ -13,7 +13,7 @@ use crate::report::statistics::Statistics;
 use crate::report::summary::{Cell, Summary};
 
 /// A column of a table without a counterpart.
-type OwnColumn = ColumnOf<'static, ()>;
+pub(super) type OwnColumn = ColumnOf<'static, ()>;
 
 /// Makes all of them.
 pub fn all(summary: &Summary) -> Vec<ReportTable> {
@@ -32,7 +32,7 @@ fn line(cell: &Cell) -> Line<'_, ()> {
 }
 
 /// Makes a table of cells, one a row: mesh and algorithm, then `columns`.
-fn of_cells<'a>(
+pub(super) fn of_cells<'a>(
     (file, title): (&'static str, &'static str),
     cells: impl Iterator<Item = &'a Cell>,
     columns: impl IntoIterator<Item = OwnColumn>,
