@@ -25,8 +25,8 @@ QUALITY ?= $(lastword $(sort $(wildcard results/quality-20*)))
 # Seconds that each fuzz target runs.
 FUZZ_SECONDS ?= 60
 
-.PHONY: help build reproduce demo quality compare report test check prose features dependencies bench
-.PHONY: fuzz package documents release-results clean toolchain python test-python bench-python
+.PHONY: help build reproduce demo quality compare report test check prose features dependencies
+.PHONY: bench fuzz package documents release-results clean toolchain python test-python bench-python
 
 help:
 	@echo "make build      builds the tool, target/release/triquad"
