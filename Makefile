@@ -26,7 +26,8 @@ QUALITY ?= $(lastword $(sort $(wildcard results/quality-20*)))
 FUZZ_SECONDS ?= 60
 
 .PHONY: help build reproduce demo quality compare report test check prose features dependencies
-.PHONY: bench fuzz package documents release-results clean toolchain python test-python bench-python
+.PHONY: bench fuzz package documents release-results clean toolchain python test-python
+.PHONY: bench-python
 
 help:
 	@echo "make build      builds the tool, target/release/triquad"
@@ -58,33 +59,33 @@ build: toolchain
 	$(CARGO) build --release
 
 demo: build
-	$(TRIQUAD) run $(EXPERIMENTS) --scale demo --out $(OUT)-demo
+	"$(TRIQUAD)" run $(EXPERIMENTS) --scale demo --out "$(OUT)-demo"
 
 reproduce: demo
-	$(TRIQUAD) run $(EXPERIMENTS) --out $(OUT) $(if $(DATA),--data "$(DATA)")
+	"$(TRIQUAD)" run $(EXPERIMENTS) --out "$(OUT)" $(if $(DATA),--data "$(DATA)")
 
 # Programs of others are found through PATH; what is not installed is skipped.
 quality: build
-	$(TRIQUAD) run experiments/quality.toml --out $(OUT)-quality $(if $(DATA),--data "$(DATA)")
+	"$(TRIQUAD)" run experiments/quality.toml --out "$(OUT)-quality" $(if $(DATA),--data "$(DATA)")
 
 compare: build
-	$(TRIQUAD) compare $(OUT)
+	"$(TRIQUAD)" compare "$(OUT)"
 
 report: build
-	$(TRIQUAD) report $(OUT) --pictures $(PICTURES)
+	"$(TRIQUAD)" report "$(OUT)" --pictures $(PICTURES)
 
 documents: build
-	$(TRIQUAD) report $(RESULTS) --pictures $(PICTURES) --docs README.md docs/*.md
-	cp $(RESULTS)/plots/lrs_against_ps.svg docs/
-	$(TRIQUAD) report $(QUALITY) --docs docs/quality.md
-	cp $(QUALITY)/plots/side_by_side_mean.svg docs/
+	"$(TRIQUAD)" report "$(RESULTS)" --pictures $(PICTURES) --docs README.md docs/*.md
+	cp "$(RESULTS)"/plots/lrs_against_ps.svg docs/
+	"$(TRIQUAD)" report "$(QUALITY)" --docs docs/quality.md
+	cp "$(QUALITY)"/plots/side_by_side_mean.svg docs/
 
 # What is attached to a release: the newest results with page, plots and pictures.
 release-results: build
-	$(TRIQUAD) report $(RESULTS) --pictures $(PICTURES)
-	cd $(RESULTS) && sha256sum --check --quiet SHA256SUMS
-	git diff --exit-code --stat -- $(RESULTS)
-	tar -czf $(TARGET)/results.tar.gz $(RESULTS)
+	"$(TRIQUAD)" report "$(RESULTS)" --pictures $(PICTURES)
+	cd "$(RESULTS)" && sha256sum --check --quiet SHA256SUMS
+	git diff --exit-code --stat -- "$(RESULTS)"
+	tar -czf "$(TARGET)/results.tar.gz" "$(RESULTS)"
 
 # Columns, and words in documents.
 prose:
@@ -115,8 +116,8 @@ dependencies: toolchain
 
 test: check
 	$(CARGO) test --workspace --exclude triquad-python -- --include-ignored --show-output 2>&1 | \
-	  tee $(TARGET)/tests.log
-	@.ci/skipped $(TARGET)/tests.log
+	  tee "$(TARGET)/tests.log"
+	@.ci/skipped "$(TARGET)/tests.log"
 
 python: toolchain
 	@.ci/python build

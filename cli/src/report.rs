@@ -9,7 +9,7 @@ use triquad_lab::pictures;
 use triquad_lab::report::{self, Extent, Report, documents};
 
 use crate::failure::Failure;
-use crate::{experiments, generate, own_program, stdio};
+use crate::{experiments, generate, own_program, results_folder, stdio};
 
 /// Rebuild tables, verdicts, plots and page from the records of a results folder
 ///
@@ -63,9 +63,9 @@ fn draw_missing(arguments: &Arguments, results: &Results) -> Result<(), Failure>
 
 /// Reads the records of a results folder, of which there must be some.
 pub fn read(folder: &Path) -> Result<Results, Failure> {
-    let results = Results::read(folder).map_err(|error| {
-        Failure::bad(format!("{error}; 'triquad run' and 'triquad import' make such a folder"))
-    })?;
+    let makers = "'triquad run' and 'triquad import' make such a folder";
+    let read = Results::read(folder);
+    let results = read.map_err(|error| results_folder::unreadable(&error, makers))?;
     if results.records.is_empty() {
         let damaged = match results.damaged.len() {
             0 => String::new(),
@@ -82,7 +82,7 @@ pub fn read(folder: &Path) -> Result<Results, Failure> {
 /// Writes the whole report and prints what is lost.
 pub fn write(folder: &Path, results: &Results) -> Result<Report, Failure> {
     let report = report::write(folder, results, Extent::Everything)
-        .map_err(|error| Failure::bad(error.to_string()))?;
+        .map_err(|error| results_folder::unwritable(&error.path, &error.error))?;
     let lost = report.defects.iter().filter(|defect| defect.is_loss());
     lost.for_each(|defect| stdio::complain(&defect.to_string()));
     Ok(report)

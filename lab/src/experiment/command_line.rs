@@ -40,10 +40,14 @@ pub(super) fn command(block: &Block, run: &PlannedRun) -> String {
     }
     let (make, file) = mesh_file(mesh, "ply");
     let result = match block.leaves_file(run) {
-        true => format!(" -o {}", result_name(mesh, ProgramFormat::default().extension())),
+        true => {
+            let name = result_name(mesh, ProgramFormat::default().extension());
+            format!(" -o {}", quoted(&name))
+        }
         false => String::new(),
     };
-    format!("{make}triquad {} {file} {}{result}", run.job.task().id(), options(run).join(" "))
+    let (task, options) = (run.job.task().id(), options(run).join(" "));
+    format!("{make}triquad {task} {} {options}{result}", quoted(&file))
 }
 
 /// Returns the command of a program that is not ours. A file in another format is to be converted.
@@ -58,10 +62,15 @@ fn foreign_command(mesh: &PlannedMesh, run: &PlannedRun, program: &ProgramSpec) 
         seed: run.seed,
     };
     let words = program.command(places);
-    let line =
-        shlex::try_join(words.iter().map(String::as_str)).unwrap_or_else(|_| words.join(" "));
-    let line = line.chars().map(|letter| if letter.is_control() { ' ' } else { letter });
-    format!("{make}{}", line.collect::<String>())
+    let line: Vec<String> = words.iter().map(|word| quoted(word)).collect();
+    format!("{make}{}", line.join(" "))
+}
+
+/// Returns `word` as a shell takes it for one word. A control character becomes a blank.
+fn quoted(word: &str) -> String {
+    let plain: String =
+        word.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
+    shlex::try_quote(&plain).map_or_else(|_| plain.clone(), |word| word.into_owned())
 }
 
 /// Returns the name of the file with the result on a mesh.
@@ -81,7 +90,8 @@ fn mesh_file(mesh: &PlannedMesh, ending: &str) -> (String, String) {
                 Scale::Full => String::new(),
                 other => format!(" --scale {}", other.id()),
             };
-            (format!("triquad generate paper {}{scale} -o {file} && ", made.name), file)
+            let (name, target) = (quoted(made.name), quoted(&file));
+            (format!("triquad generate paper {name}{scale} -o {target} && "), file)
         }
     }
 }

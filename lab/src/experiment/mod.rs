@@ -28,6 +28,7 @@ mod results_files;
 pub mod run;
 pub mod run_id;
 pub mod spec;
+pub mod spec_error;
 pub mod task;
 pub mod verification;
 mod workshop;

@@ -45,8 +45,10 @@ pub struct Report {
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {error}", path.display())]
 pub struct ReportError {
-    path: PathBuf,
-    error: io::Error,
+    /// The file.
+    pub path: PathBuf,
+    /// The reason of the file system.
+    pub error: io::Error,
 }
 
 /// Name of the page's file.
