@@ -250,6 +250,7 @@ impl<'a> Converter<'a> {
             Algorithm::Best
             | Algorithm::EagerRescue
             | Algorithm::SimpleGreedy
+            | Algorithm::Velho
             | Algorithm::PulliSegal => Ok(()),
         }
     }

@@ -4,7 +4,7 @@
 //!
 //! ```
 //! use triquad::dual::{DualGraph, DualGraphError, Matching};
-//! use triquad::triangulation::{Id, TriangleId};
+//! use triquad::triangulation::TriangleId;
 //!
 //! let graph = DualGraph::from_edges(4, &[(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])?;
 //! let [a, b, c, d] = [0, 1, 2, 3].map(TriangleId::new);

@@ -63,6 +63,7 @@ mod pulli_segal;
 mod ranked_graph;
 mod shuffler;
 mod simple_greedy;
+mod velho;
 
 pub use algorithm::Algorithm;
 pub use best::{best, best_matching, fewest_unpaired};
@@ -74,3 +75,5 @@ pub use objective::{Keeping, Leftover, Objective, ObjectiveProblem};
 pub use proof::{Proof, ProofError};
 pub use pulli_segal::pulli_segal;
 pub use simple_greedy::simple_greedy;
+pub(crate) use velho::squared_length;
+pub use velho::velho;

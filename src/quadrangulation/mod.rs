@@ -18,7 +18,7 @@
 //!
 //! ```
 //! use triquad::quadrangulation::{DefaultCost, EdgeQuad, Keep, edge_costs};
-//! use triquad::triangulation::{HalfEdgeId, Id, Surface};
+//! use triquad::triangulation::HalfEdgeId;
 //! use triquad::{Mesh, Triangulation};
 //!
 //! let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -29,7 +29,7 @@
 //!
 //! ```
 //! use triquad::{Mesh, Triangulation};
-//! use triquad::triangulation::{HalfEdgeId, Id, LinkMarks, ShrinkingTriangulation};
+//! use triquad::triangulation::{HalfEdgeId, LinkMarks, ShrinkingTriangulation};
 //!
 //! let upper = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
 //! let lower = [[5, 2, 1], [5, 3, 2], [5, 4, 3], [5, 1, 4]];

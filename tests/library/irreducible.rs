@@ -7,7 +7,7 @@ use triquad::Mesh;
 use triquad::Triangulation;
 use triquad::irreducible::{Contractor, Discipline, Irreducible, Order, ramaswami_siqueira};
 use triquad::random::Random;
-use triquad::triangulation::{HalfEdgeId, ShrinkingTriangulation, TriangleId, VertexId};
+use triquad::triangulation::{HalfEdgeId, LinkMarks, ShrinkingTriangulation, TriangleId, VertexId};
 use triquad_generators::box_mesh::{BoxShape, PaperBox, Walls};
 use triquad_generators::random::{Mix, random_surface};
 use triquad_generators::{Surface, classic, grids, organic, worst_cases};
@@ -91,6 +91,23 @@ fn assert_counts(t: &Triangulation, contractor: Contractor, result: &Irreducible
         // Each edge of the tetrahedron from both ends, and hardly any other.
         assert!((6..=9).contains(&repeated), "{what}: {repeated}");
         assert!((t.vertex_count() + 8..=t.vertex_count() + 40).contains(&tests), "{what}: {tests}");
+    }
+}
+
+/// Figure 6: sides of the polygon and edges to the apexes, as long as nothing is contracted.
+#[test]
+fn only_the_edges_of_the_bipyramid_cannot_be_contracted() {
+    for m in 4..10 {
+        let list = crate::common::face_list(&classic::starred_bipyramid(m));
+        let built = Triangulation::build(&list).unwrap();
+        assert_eq!((built.vertex_count(), built.genus()), (3 * m as usize + 2, 0));
+        let k = ShrinkingTriangulation::from(built.clone());
+        let mut marks = LinkMarks::new(built.vertex_count());
+        for h in (0..2 * built.edge_count()).map(HalfEdgeId::new) {
+            let has_centre =
+                [h, h.next()].iter().any(|&h| built.origin(h).index() >= 2 + m as usize);
+            assert_eq!(k.is_contractible(h, &mut marks), has_centre, "{m}: {h:?}");
+        }
     }
 }
 

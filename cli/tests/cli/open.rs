@@ -33,7 +33,7 @@ fn an_open_surface_is_converted_on_request() {
     let line = workshop.fail("convert in.obj -o out.obj", 2);
     assert_contains(&line, &["in.obj", "boundary-edge", "--open"], "refusal");
     let mut fewest = None;
-    for algorithm in ["best", "tq", "ps", "sg"] {
+    for algorithm in ["best", "tq", "ps", "sg", "velho"] {
         let options = format!("--open --algorithm {algorithm} -o out.obj --stats -");
         let stats = workshop.json(&format!("convert in.obj {options}"), 0);
         let left = stats["leftover_triangles"].as_u64().unwrap();

@@ -53,7 +53,7 @@ fn making(mesh: &PlannedMesh) -> Estimate {
     let file = 25.0 * f64::from(mesh.triangles);
     let Source::Made(made, _) = &mesh.source else { return Estimate::default() };
     let vertices = match made.recipe {
-        Recipe::Box(_) | Recipe::PaperBox { .. } => {
+        Recipe::Box(_) | Recipe::PaperBox { .. } | Recipe::StarredBipyramid { .. } => {
             let seconds = 0.3e-6 * f64::from(mesh.triangles);
             let memory_bytes = 60.0 * f64::from(mesh.triangles);
             return Estimate { seconds, memory_bytes, disk_bytes: file };

@@ -211,11 +211,14 @@ impl Limits {
 }
 
 impl RunSpec {
-    /// Checks that everything is done at least once, and no more often than rows can be kept of.
+    /// Checks that everything is done at full scale, and no more often than rows can be kept of.
     fn check_numbers(&self) -> Result<(), SpecError> {
         let Repetitions { full, small, demo } = self.repetitions;
         let fewer = self.fewer.values().map(|&fewer| ("fewer", fewer));
-        let mut all = [("full", full), ("small", small), ("demo", demo)].into_iter().chain(fewer);
+        // None at a smaller scale leaves the run out there.
+        let smaller =
+            [("small", small), ("demo", demo)].into_iter().filter(|&(_, often)| often > 0);
+        let mut all = [("full", full)].into_iter().chain(smaller).chain(fewer);
         all.try_for_each(|(name, often)| check_number(name, often.into(), MOST_REPETITIONS))?;
         let mut paths = self.stop_after_paths.values();
         paths.try_for_each(|&paths| check_number("stop_after_paths", paths, u64::from(u32::MAX)))
@@ -346,7 +349,8 @@ mod tests {
         };
         assert!(problem("seed = 1", "seed = -1").starts_with("line 5: "));
         assert!(problem("seed", "sed").contains("unknown field `sed`"));
-        let unknown = "\"pss\" is none of best, tq, sg, ps, ds, gw, lrs; the nearest is \"ps\"";
+        let unknown =
+            "\"pss\" is none of best, tq, sg, velho, ps, ds, gw, lrs; the nearest is \"ps\"";
         assert_eq!(problem("\"ps\"", "\"pss\""), unknown);
         assert!(problem("few-flips", "none").starts_with("\"none\" is none of printed, few-flips"));
         assert!(problem("\"local\"", "\"far\"").starts_with("\"far\" is none of local, tarjan"));
@@ -356,6 +360,8 @@ mod tests {
                 .contains("1000000")
         );
         assert!(problem("demo = 2", "demo = 4294967295").contains("from 1 to 10000"));
+        let without_demo = Experiment::parse(&TEXT.replace("demo = 2", "demo = 0")).unwrap();
+        assert_eq!(without_demo.groups[0].runs[0].repetitions("A1", Scale::Demo), 0);
         assert!(problem("{ A1 = 3 }", "{ A1 = 0 }").starts_with("fewer = 0: "));
         assert!(problem("{ A1 = 7 }", "{ A1 = 0 }").starts_with("stop_after_paths = 0: "));
         let twice = problem("\"ps\"", "\"ps\", \"lrs few-flips\"");

@@ -131,6 +131,8 @@ fn multiply(run: &mut RunRecord, name: &str, factor: f64) {
         "augmentation_triangles_visited" => scale(&mut run.measured.augmentation_triangles_visited),
         "link_condition_tests" => scale(&mut run.measured.link_condition_tests),
         "edges_tested_more_than_once" => scale(&mut run.measured.edges_tested_more_than_once),
+        "link_vertices_visited" => scale(&mut run.measured.link_vertices_visited),
+        "degree_products" => scale(&mut run.measured.degree_products),
         "result_vertices" => scale(&mut run.measured.result_vertices),
         "pairing_seconds" => stretch(&mut run.measured.pairing_seconds),
         "augmentation_seconds" => stretch(&mut run.measured.augmentation_seconds),

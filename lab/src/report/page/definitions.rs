@@ -36,12 +36,13 @@ const SYMBOLS: [(&str, &str); 16] = [
 ];
 
 /// Algorithms.
-const ALGORITHMS: [(&str, &str); 11] = [
+const ALGORITHMS: [(&str, &str); 12] = [
     ("SG", "simple greedy: takes edges in random order, pairs their triangles if both are free"),
     ("PS", "Pulli and Segal: greedy with four priorities, from triangles in random order"),
     ("DS", "Diks and Stanczyk: a perfect pairing at once, in O(n log² n)"),
     ("LRS", "Lemos, Ramaswami, Siqueira: contracts to an irreducible triangulation, expands again"),
     ("LRS few-flips", "LRS with an expansion of ours that keeps more of the input's edges"),
+    ("Velho", "SG with the longest edge first, after Velho; the paper prints no numbers of it"),
     ("GW", "Gawrychowski and Wasylkiewicz: a perfect pairing at once, in O(n log n)"),
     ("BEST", "ours: the perfect pairing of least total cost; the default of triquad convert"),
     ("TQ", "ours: a perfect pairing as fast as the machine allows, without regard to shape"),

@@ -99,7 +99,7 @@ fn search_columns(prefix: &str, at: usize, star: &'static [usize]) -> [OwnColumn
 
 /// Meshes that the papers do not have.
 fn data(summary: &Summary) -> ReportTable {
-    let names = ("table_data.csv", "Other real meshes");
+    let names = ("table_data.csv", "Other meshes");
     let columns = five_columns().into_iter().chain(columns::mesh()).chain(spread_columns());
     let table = of_cells(names, summary.of_group(Paper::Comparison, "data"), columns);
     ReportTable { group: Some((Paper::Comparison, "data")), ..table }

@@ -110,6 +110,12 @@ pub fn spread_columns<P: 'static>() -> Vec<ColumnOf<'static, P>> {
             Some(Value::Seconds(number(&total)))
         })
     };
+    let unpaired = |name, number: fn(&Statistics) -> f64| {
+        of_cell(name, 0, move |cell| {
+            let count = |run: &RunRecord| run.measured.unpaired_triangles.map(|n| n as f64);
+            Some(Value::Count(number(&cell.statistics(count)?) as u64))
+        })
+    };
     vec![
         columns::mean("pairing_seconds_without_shuffle", 0, Value::Seconds, unshuffled)
             .heading("(a) without shuffle, s"),
@@ -117,6 +123,8 @@ pub fn spread_columns<P: 'static>() -> Vec<ColumnOf<'static, P>> {
         total("total_seconds_median", |total| total.median).heading("(e) median, s").starred(&[0]),
         total("total_seconds_lower_quartile", |total| total.lower_quartile).hidden(),
         total("total_seconds_upper_quartile", |total| total.upper_quartile).hidden(),
+        unpaired("unpaired_triangles_least", |unpaired| unpaired.minimum).hidden(),
+        unpaired("unpaired_triangles_greatest", |unpaired| unpaired.maximum).hidden(),
         columns::mean_count("edge_flips", 0, |measured| measured.edge_flips),
         of_cell("edge_flips_percent", 0, flipped_percent),
         columns::outcomes("outcomes", 0),
