@@ -237,7 +237,9 @@ impl DocumentTable {
     fn markdown(&self, tables: &[ReportTable]) -> Option<String> {
         let headings: Vec<&str> = self.columns.iter().map(|column| column.0).collect();
         let row = |(mesh, algorithm): (String, String)| -> Vec<String> {
-            let cell = |&(_, column): &(&str, &str)| field(tables, &mesh, &algorithm, column);
+            let of_table = |table: &&ReportTable| self.rows.may_use(table);
+            let tables: Vec<&ReportTable> = tables.iter().filter(of_table).collect();
+            let cell = |&(_, column): &(&str, &str)| field(&tables, &mesh, &algorithm, column);
             self.columns.iter().map(cell).collect()
         };
         let rows: Vec<Vec<String>> = self.rows.keys(tables).into_iter().map(row).collect();
@@ -250,6 +252,11 @@ impl DocumentTable {
 }
 
 impl Rows {
+    /// Returns whether numbers of a table may stand in these rows.
+    fn may_use(&self, table: &ReportTable) -> bool {
+        !matches!(self, Self::OfMeshes(file, _) if *file != table.file)
+    }
+
     /// Returns mesh and algorithm of each row; the latter is empty where a row has all algorithms.
     fn keys(&self, tables: &[ReportTable]) -> Vec<(String, String)> {
         let of = |files: &[&str]| -> Vec<(String, String)> {
@@ -274,7 +281,7 @@ fn key(table: &ReportTable, row: &Row) -> (String, String) {
 }
 
 /// Returns a field of the first table that has it; a dash if none has.
-fn field(tables: &[ReportTable], mesh: &str, algorithm: &str, column: &str) -> String {
+fn field(tables: &[&ReportTable], mesh: &str, algorithm: &str, column: &str) -> String {
     match column {
         "mesh" => return mesh.to_owned(),
         "algorithm" => return algorithm.to_owned(),
