@@ -50,7 +50,7 @@
 //! # Ok::<(), triquad::dual::DualGraphError>(())
 //! ```
 //!
-//! [`best`] and [`lrs()`] are called through [`Converter`](crate::Converter), which prepares their
+//! [`best()`] and [`lrs()`] are called through [`Converter`](crate::Converter), which prepares their
 //! costs and orders. They, and the parts of an [`Objective`], have no examples of their own.
 
 mod algorithm;
