@@ -6,7 +6,8 @@ CARGO ?= cargo
 export CARGO_INCREMENTAL := 0
 TARGET := $(or $(CARGO_TARGET_DIR),target)
 TRIQUAD := $(TARGET)/release/triquad
-EXPERIMENTS := $(addprefix experiments/,comparison.toml irreducible.toml velho.toml walls.toml figure_6.toml)
+EXPERIMENTS := $(addprefix experiments/,comparison.toml irreducible.toml velho.toml walls.toml \
+  figure_6.toml)
 # Experiment files whose pictures the page shows.
 PICTURES := experiments/comparison.toml
 # Where results go; the small ones of `make demo` beside them.

@@ -3,20 +3,6 @@
 //! On Linux, and where the file system allows it, a file has no name while it is written: a process
 //! that is killed leaves nothing behind. Elsewhere it has a temporary name beside its target.
 //!
-//! ```
-//! use std::io::Write as _;
-//! use triquad::atomic_file::AtomicFile;
-//!
-//! let path = std::env::temp_dir().join(format!("triquad-{}.txt", std::process::id()));
-//! let mut file = AtomicFile::create(&path)?;
-//! file.write_all(b"complete\n")?;
-//! assert!(!path.exists());
-//! file.commit()?;
-//! assert_eq!(std::fs::read(&path)?, b"complete\n");
-//! # std::fs::remove_file(&path)?;
-//! # Ok::<(), std::io::Error>(())
-//! ```
-//!
 //! The functions for interrupts and for the disk have no examples of their own.
 
 use std::fs::File;

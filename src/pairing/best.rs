@@ -43,7 +43,8 @@ pub fn best<'t>(
 /// As for [`best`]; or nothing may be left and not all triangles can be paired, with a proof.
 ///
 /// # Panics
-/// If there are not as many rows of costs as triangles.
+/// If there are not as many rows of costs as triangles. In debug builds, if two triangles have
+/// several edges in common, as in no triangulation.
 pub fn best_matching(
     dual: &DualGraph,
     objective: Objective,

@@ -40,15 +40,17 @@
 //! use triquad::dual::DualGraph;
 //! use triquad::pairing::{Objective, best_matching};
 //!
-//! let graph = DualGraph::from_edges(2, &[(0, 1), (0, 1), (0, 1)])?;
-//! // One cost a side of each triangle: parallel edges keep the order in which they are given.
-//! let objective = Objective::perfect(vec![[4, -2, 7], [4, -2, 7]]);
+//! let graph = DualGraph::from_edges(4, &[(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])?;
+//! // One cost a side of each triangle.
+//! let objective = Objective::perfect(vec![[5, 3, 4], [5, 6, 2], [3, 6, 7], [4, 2, 7]]);
 //! let found = best_matching(&graph, objective, &mut |_| ControlFlow::Continue(()));
-//! assert_eq!(found.expect("a perfect matching").0.unpaired_count(), 0);
+//! let (matching, proof) = found.expect("a perfect matching");
+//! assert_eq!(matching.unpaired_count(), 0);
+//! proof.verify(&graph, &matching).expect("none costs less");
 //! # Ok::<(), triquad::dual::DualGraphError>(())
 //! ```
 //!
-//! [`best`] and [`lrs()`] are called through [`Converter`](crate::Converter), which prepares their
+//! [`best()`] and [`lrs()`] are called through [`Converter`](crate::Converter), which prepares their
 //! costs and orders. They, and the parts of an [`Objective`], have no examples of their own.
 
 mod algorithm;

@@ -29,7 +29,7 @@ pub enum Keeping {
     All,
 }
 
-/// A question that [`best`](super::best) answers: which pairing is the best of all?
+/// Criteria by which [`best`](super::best) chooses among all pairings.
 ///
 /// The first of these criteria by which two pairings differ decides: with [`Leftover::Fewest`], the
 /// triangles left; with [`Keeping::AsManyAsCan`], the edges given up; the total cost, in which
@@ -47,7 +47,7 @@ pub struct Objective {
 }
 
 impl Objective {
-    /// Asks for the perfect pairing of least cost.
+    /// Makes the objective of the perfect pairing of least cost.
     ///
     /// Row `f`, column `i` of `costs` belongs to side `i` of triangle `f`; both sides of an edge
     /// cost the same.

@@ -13,7 +13,8 @@ pub(super) struct Given {
 impl Given {
     /// Counts the elements that whole lines give, by their keywords.
     ///
-    /// Unusual white space hides a keyword from it, so the counts are to be compared with what is read.
+    /// Unusual white space hides a keyword from it, so the counts are to be compared with what is
+    /// read.
     pub(super) fn count(text: &[u8]) -> Self {
         let mut given = Self::default();
         for at in memchr::memchr_iter(b'v', text) {

@@ -2,8 +2,8 @@
 //!
 //! Reads `v`, `vt`, `vn` and `f` in all their forms, negative indices, continued lines and line
 //! ends of every kind. Objects, groups, smoothing groups and materials are kept as lines. What else
-//! the file holds is skipped and named. Numbers are parsed in place, in blocks. Several threads read
-//! chunks of a block at once; the mesh and the errors are those of one thread.
+//! the file holds is skipped and named. Numbers are parsed in place, in blocks. Several threads
+//! read chunks of a block at once; the mesh and the errors are those of one thread.
 
 mod blocks;
 #[cfg(all(test, feature = "threads"))]
@@ -41,7 +41,8 @@ pub(super) fn read(input: &mut dyn Read) -> Result<Mesh, MeshError> {
     }
 }
 
-/// Reads an OBJ file by blocks of `block` bytes, each in chunks of `chunk` bytes; of 0, by the line.
+/// Reads an OBJ file by blocks of `block` bytes, each in chunks of `chunk` bytes; of 0, by the
+/// line.
 fn read_blocks(input: &mut dyn Read, block: usize, chunk: usize) -> Result<Mesh, MeshError> {
     let mut parser = Parser::default();
     let mut blocks = Blocks::new(block);

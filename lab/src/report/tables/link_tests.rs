@@ -99,8 +99,8 @@ fn tests(summary: &Summary, printed: Table) -> ReportTable {
     table(summary, printed, rows, columns, |row| &row.errata)
 }
 
-/// Returns the columns of a cost of RS, S and BF that no machine changes: the whole in the file, and
-/// on the page what a test of the link condition costs.
+/// Returns the columns of a cost of RS, S and BF that no machine changes: the whole in the file,
+/// and on the page what a test of the link condition costs.
 fn cost_columns<P: 'static>(
     name: &'static str,
     symbol: &'static str,
