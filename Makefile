@@ -6,7 +6,9 @@ CARGO ?= cargo
 export CARGO_INCREMENTAL := 0
 TARGET := $(or $(CARGO_TARGET_DIR),target)
 TRIQUAD := $(TARGET)/release/triquad
-EXPERIMENTS := experiments/comparison.toml experiments/irreducible.toml
+EXPERIMENTS := $(addprefix experiments/,comparison.toml irreducible.toml velho.toml walls.toml figure_6.toml)
+# Experiment files whose pictures the page shows.
+PICTURES := experiments/comparison.toml
 # Where results go; the small ones of `make demo` beside them.
 OUT ?= results/local
 # A folder with meshes of your own: scans of the papers are taken from there, others run too.
@@ -18,23 +20,29 @@ PACKAGES := triquad-generators triquad triquad-render triquad-lab triquad-cli
 PACKAGE_BYTES := 1000000
 # Records that the tables of README and docs are made of: the newest in the repository.
 RESULTS ?= $(lastword $(sort $(wildcard results/20*)))
+# Records of our algorithms beside programs of others, made by `make quality`: the newest too.
+QUALITY ?= $(lastword $(sort $(wildcard results/quality-20*)))
 # Seconds that each fuzz target runs.
 FUZZ_SECONDS ?= 60
 
-.PHONY: help build reproduce demo compare report test check prose features dependencies bench fuzz
-.PHONY: package documents clean toolchain python test-python
+.PHONY: help build reproduce demo quality compare report test check prose features dependencies
+.PHONY: bench fuzz package documents release-results clean toolchain python test-python
+.PHONY: bench-python
 
 help:
 	@echo "make build      builds the tool, target/release/triquad"
 	@echo "make demo       runs the papers' experiments on small meshes: a minute after the build"
 	@echo "make reproduce  runs the demo, then all experiments: about an hour. Resumes if"
 	@echo "                interrupted. DATA=folder adds meshes of your own"
+	@echo "make quality    our algorithms beside Gmsh, MeshLab and Blender where these are installed;"
+	@echo "                DATA=folder for meshes of your own"
 	@echo "make compare    prints every claim of the papers with its verdict, from OUT"
-	@echo "make report     rebuilds tables, plots and the page of OUT from its records"
+	@echo "make report     rebuilds tables, plots, pictures and the page of OUT from its records"
 	@echo "make test       format, lints, documentation, all tests; ends with the tests that skipped"
-	@echo "make documents  fills the tables of README and docs from RESULTS"
+	@echo "make documents  fills the tables of README and docs from RESULTS and QUALITY"
 	@echo "make python     builds the wheel of the Python package, target/wheels; needs Python 3.10"
 	@echo "make test-python  tests the wheel in a virtual environment"
+	@echo "make bench-python  a million triangles from numpy against the command: time and memory"
 	@echo "make bench      times and memory; MESHES='a.obj b.ply' for your own, LEMON=program for"
 	@echo "                ratios to LEMON"
 	@echo "make fuzz       every reader on arbitrary bytes, FUZZ_SECONDS each; needs cargo-fuzz"
@@ -51,20 +59,33 @@ build: toolchain
 	$(CARGO) build --release
 
 demo: build
-	$(TRIQUAD) run $(EXPERIMENTS) --scale demo --out $(OUT)-demo
+	"$(TRIQUAD)" run $(EXPERIMENTS) --scale demo --out "$(OUT)-demo"
 
 reproduce: demo
-	$(TRIQUAD) run $(EXPERIMENTS) --out $(OUT) $(if $(DATA),--data "$(DATA)")
+	"$(TRIQUAD)" run $(EXPERIMENTS) --out "$(OUT)" $(if $(DATA),--data "$(DATA)")
+
+# Programs of others are found through PATH; what is not installed is skipped.
+quality: build
+	"$(TRIQUAD)" run experiments/quality.toml --out "$(OUT)-quality" $(if $(DATA),--data "$(DATA)")
 
 compare: build
-	$(TRIQUAD) compare $(OUT)
+	"$(TRIQUAD)" compare "$(OUT)"
 
 report: build
-	$(TRIQUAD) report $(OUT)
+	"$(TRIQUAD)" report "$(OUT)" --pictures $(PICTURES)
 
 documents: build
-	$(TRIQUAD) report $(RESULTS) --docs README.md docs/*.md
-	cp $(RESULTS)/plots/lrs_against_ps.svg docs/
+	"$(TRIQUAD)" report "$(RESULTS)" --pictures $(PICTURES) --docs README.md docs/*.md
+	cp "$(RESULTS)"/plots/lrs_against_ps.svg docs/
+	"$(TRIQUAD)" report "$(QUALITY)" --docs docs/quality.md
+	cp "$(QUALITY)"/plots/side_by_side_mean.svg docs/
+
+# What is attached to a release: the newest results with page, plots and pictures.
+release-results: build
+	"$(TRIQUAD)" report "$(RESULTS)" --pictures $(PICTURES)
+	cd "$(RESULTS)" && sha256sum --check --quiet SHA256SUMS
+	git diff --exit-code --stat -- "$(RESULTS)"
+	tar -czf "$(TARGET)/results.tar.gz" "$(RESULTS)"
 
 # Columns, and words in documents.
 prose:
@@ -95,14 +116,17 @@ dependencies: toolchain
 
 test: check
 	$(CARGO) test --workspace --exclude triquad-python -- --include-ignored --show-output 2>&1 | \
-	  tee $(TARGET)/tests.log
-	@.ci/skipped $(TARGET)/tests.log
+	  tee "$(TARGET)/tests.log"
+	@.ci/skipped "$(TARGET)/tests.log"
 
 python: toolchain
 	@.ci/python build
 
 test-python: toolchain
 	@.ci/python test
+
+bench-python: toolchain
+	@.ci/python bench
 
 bench: toolchain
 	$(CARGO) bench --bench speed

@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let perfect = matching.certify(&dual).expect("Theorem 2.1: a perfect matching exists");
 
     let quads = Quadrangulation::new(&triangulation, &perfect);
-    let quads = mesh.clone().with_faces(quads.faces());
+    let quads = mesh.clone().with_faces(quads.to_faces());
     let report = check(&quads, &mesh)?;
     println!("{} quads after {} augmenting paths", report.quads, paths.paths);
     Ok(())

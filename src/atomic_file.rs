@@ -2,11 +2,28 @@
 //!
 //! On Linux, and where the file system allows it, a file has no name while it is written: a process
 //! that is killed leaves nothing behind. Elsewhere it has a temporary name beside its target.
+//!
+//! ```
+//! use std::io::Write as _;
+//! use triquad::atomic_file::AtomicFile;
+//!
+//! let path = std::env::temp_dir().join(format!("triquad-{}.txt", std::process::id()));
+//! let mut file = AtomicFile::create(&path)?;
+//! file.write_all(b"complete\n")?;
+//! assert!(!path.exists());
+//! file.commit()?;
+//! assert_eq!(std::fs::read(&path)?, b"complete\n");
+//! # std::fs::remove_file(&path)?;
+//! # Ok::<(), std::io::Error>(())
+//! ```
+//!
+//! The functions for interrupts and for the disk have no examples of their own.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError, TryLockError};
+use std::time::Duration;
 
 use tempfile::NamedTempFile;
 
@@ -15,10 +32,22 @@ static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Removes the temporary files of everything that is being written.
 ///
-/// To be called by the thread that handles an interrupt, just before the process ends.
+/// To be called just before the process ends, on an interrupt for example. Waits at most a second
+/// for a thread that is just making a file: it may be the one that calls.
 pub fn abandon_all() {
-    for path in PENDING.lock().unwrap_or_else(PoisonError::into_inner).iter() {
-        let _ = std::fs::remove_file(path);
+    for _ in 0..100 {
+        let pending = match PENDING.try_lock() {
+            Ok(pending) => pending,
+            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => {
+                std::thread::sleep(Duration::from_millis(10));
+                continue;
+            }
+        };
+        for path in pending.iter() {
+            let _ = std::fs::remove_file(path);
+        }
+        return;
     }
 }
 
@@ -45,6 +74,11 @@ pub fn abandon_all() {
 #[derive(Debug)]
 pub struct AtomicFile(Kind);
 
+/// The folder of a target does not exist.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no folder {}", .0.display())]
+pub struct NoFolder(pub PathBuf);
+
 #[derive(Debug)]
 enum Kind {
     /// Renamed to the target when it is complete.
@@ -69,8 +103,8 @@ impl AtomicFile {
     /// Opens a file that is to become `target`.
     ///
     /// # Errors
-    /// `target` is a folder, a write-protected file or a link to nothing, or no file can be made
-    /// beside it. Other errors are those of the file system.
+    /// `target` is a folder, a write-protected file or a link to nothing, its folder does not exist
+    /// ([`NoFolder`]), or no file can be made there. Other errors are those of the file system.
     pub fn create(target: impl AsRef<Path>) -> io::Result<Self> {
         let target = target.as_ref();
         let resolved = target.canonicalize().unwrap_or_else(|_| target.to_owned());
@@ -84,6 +118,10 @@ impl AtomicFile {
         if resolved.exists() && !resolved.is_file() {
             let device = File::options().write(true).open(resolved)?;
             return Ok(Self(Kind::Direct(BufWriter::new(device))));
+        }
+        let folder = folder_of(&resolved);
+        if !folder.exists() {
+            return Err(io::Error::new(io::ErrorKind::NotFound, NoFolder(folder.to_owned())));
         }
         let replaced = resolved.metadata().ok();
         if replaced.is_some() {

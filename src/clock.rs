@@ -1,4 +1,11 @@
 //! Clocks: the system's, and one that is scripted in tests.
+//!
+//! ```
+//! use triquad::clock::{Clock, SteppingClock};
+//!
+//! let clock = SteppingClock::new(0.5);
+//! assert_eq!(clock.time(|| 2 + 2), (4, 0.5));
+//! ```
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;

@@ -52,9 +52,9 @@
 //! | [`triangulation`] | half-edges, and the laws that make a mesh a triangulation | section 2 |
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
 //! | [`matching`] | alternating trees and blossoms; perfect matchings of least cost | |
-//! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
 //! | [`irreducible`] | contraction until no edge can be contracted: RS, Schipper's, brute force | |
 //! | [`pairing`] | initial pairings: SG, PS, DS, GW, LRS, two of ours | section 3 |
+//! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
 //! | [`quadrangulation`] | the quads, and a check independent of their construction | section 2 |
 //! | [`simplify`] | an exact number of vertices, same topology | section 4 |
 //! | [`convert`](mod@convert) | the chain, counted and timed | section 4 |
@@ -90,7 +90,9 @@ mod vector;
 struct Readme;
 
 pub use augmentation::{Augmentation, AugmentationStats, make_maximum};
-pub use convert::{ConvertError, Converted, Converter, Progress, Quadrangulated, Report, Stage};
+pub use convert::{
+    ConvertError, Converted, Converter, Progress, Quadrangulated, Report, Size, Stage,
+};
 pub use dual::{DualGraph, Matching, PerfectMatching};
 pub use mesh::Mesh;
 #[cfg(feature = "files")]

@@ -2,6 +2,17 @@
 //!
 //! The `rand` crate may change which values its shuffles give between releases; the raw words
 //! of ChaCha may not.
+//!
+//! ```
+//! use triquad::random::Random;
+//!
+//! let mut random = Random::stream(7, &["sg", "bunny"]);
+//! assert!(random.below(6) < 6);
+//! let mut cards = [1, 2, 3];
+//! random.shuffle(&mut cards);
+//! cards.sort_unstable();
+//! assert_eq!(cards, [1, 2, 3]);
+//! ```
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};

@@ -2,9 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
 use triquad::pairing::Proof;
-use triquad::quadrangulation::check_mixed;
-use triquad::triangulation::Surface;
+use triquad::quadrangulation::quality::Quality;
+use triquad::quadrangulation::{MixedFaces, SharpEdges, check_mixed};
+use triquad::triangulation::{Surface, Triangulation};
 use triquad::{
     CheckReport, DualGraph, Matching, Mesh, Mismatch, check, check_retriangulation, common_edges,
 };
@@ -12,7 +14,8 @@ use triquad::{
 use crate::failure::Failure;
 use crate::input::{self, Built, Repairs};
 use crate::progress::StatusLine;
-use crate::{aims, certificate, stdio};
+use crate::targets::{Paths, Targets};
+use crate::{aims, certificate};
 
 /// Check that a quad mesh is a quadrangulation of a triangle mesh
 ///
@@ -22,7 +25,8 @@ use crate::{aims, certificate, stdio};
 /// left over, each a face of its own. Exit code 1 and one line if a check fails.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad check quads.obj --against bunny.obj\n  \
-                        triquad check quads.obj --against bunny.obj --certificate proof.txt")]
+                        triquad check quads.obj --against bunny.obj --certificate proof.txt\n  \
+                        triquad check mixed.obj --against bunny.obj --open --stats -")]
 pub struct Arguments {
     /// The quad mesh
     #[arg(value_name = "QUADS")]
@@ -45,8 +49,32 @@ pub struct Arguments {
     /// The costs, one integer an edge, if the certificate is about a file of costs
     #[arg(long, value_name = "FILE", requires = "certificate")]
     cost: Option<PathBuf>,
+    /// Write counts and the shape of the quads as JSON to FILE, '-' for standard output
+    #[arg(long, value_name = "FILE")]
+    stats: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
+}
+
+/// Counts and shape of a mesh that passed the check, from the files alone, whoever made them.
+#[derive(Serialize)]
+struct Stats {
+    schema: &'static str,
+    quads: usize,
+    leftover_triangles: usize,
+    vertices: usize,
+    degree_two_vertices: usize,
+    euler_characteristic: i64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    quality_minimum: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    quality_one_percent: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    quality_mean: Option<f64>,
+    folded_quads: usize,
+    quality_histogram: Vec<usize>,
+    sharp_edges: usize,
+    sharp_edges_kept: usize,
 }
 
 /// Reads both meshes and compares them.
@@ -58,6 +86,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::bad(format!("-: {problem}")));
     }
     let status = StatusLine::new("reading the meshes");
+    let paths = Paths { stats: arguments.stats.as_deref(), ..Paths::of(&arguments.quads) };
+    let targets = Targets::open(paths)?;
     let quads = input::read(&arguments.quads, arguments.repairs.reading)?;
     let (triangles, surface) = input::read_surface(&arguments.against, arguments.repairs)?;
     let statement = match &arguments.certificate {
@@ -78,7 +108,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     status.say("checking");
     let may_leave = arguments.open || statement.as_ref().is_some_and(Statement::may_leave);
     let all_quads = matches!(surface, Built::Closed(_)) && !may_leave;
-    let (report, matching) = compare(&quads, &paired, all_quads, statement.is_some())
+    let needs_pairs = statement.is_some() || arguments.stats.is_some();
+    let (report, matching) = compare(&quads, &paired, all_quads, needs_pairs)
         .map_err(|mismatch| failure(arguments, &surface, &quads, &mismatch))?;
     let proof = match (&statement, &matching) {
         (Some(statement), Some(matching)) => match &surface {
@@ -87,8 +118,52 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         },
         _ => String::new(),
     };
+    let stats = match (&arguments.stats, &matching) {
+        (Some(_), Some(matching)) => Some(Stats::new(report, &quads, &paired, &surface, matching)),
+        _ => None,
+    };
     drop(status);
-    stdio::summarise(&stdio::one_line(&(describe(arguments, &report) + &shared + &proof)))
+    targets.finish_without_mesh(&stats, &[], &(describe(arguments, &report) + &shared + &proof))
+}
+
+impl Stats {
+    /// Measures `quads`, pairs of the triangles of `paired`, which triangulates `surface`.
+    fn new(
+        report: CheckReport,
+        quads: &Mesh,
+        paired: &Mesh,
+        surface: &Built,
+        matching: &Matching,
+    ) -> Self {
+        // Another triangulation may have been paired than that of the surface.
+        let sharp = match (Triangulation::build(paired), surface) {
+            (Ok(paired_surface), _) => sharp_edges(&paired_surface, paired, matching),
+            (Err(_), Built::Open(surface, _)) => sharp_edges(surface, paired, matching),
+            (Err(_), Built::Closed(surface)) => sharp_edges(surface, paired, matching),
+        };
+        let shape = Quality::new(quads);
+        let if_any = |value| (report.quads > 0).then_some(value);
+        Self {
+            schema: "triquad-check-1",
+            quads: report.quads,
+            leftover_triangles: report.triangles,
+            vertices: report.vertices,
+            degree_two_vertices: report.degree_two_vertices,
+            euler_characteristic: report.euler_characteristic,
+            quality_minimum: if_any(shape.minimum),
+            quality_one_percent: if_any(shape.one_percent),
+            quality_mean: if_any(shape.mean),
+            folded_quads: shape.folded,
+            quality_histogram: shape.histogram.into(),
+            sharp_edges: sharp.all,
+            sharp_edges_kept: sharp.kept,
+        }
+    }
+}
+
+fn sharp_edges(surface: &impl Surface, triangles: &Mesh, matching: &Matching) -> SharpEdges {
+    let pairing = MixedFaces::new(surface, matching);
+    SharpEdges::new(surface, triangles.positions(), pairing.removed())
 }
 
 /// Reads the triangulation whose triangles were paired; that of a closed surface.
@@ -151,9 +226,8 @@ fn describe(arguments: &Arguments, report: &CheckReport) -> String {
         more => format!(" and {more} triangles"),
     };
     format!(
-        "{}: ok: {} quads{left} on the {} vertices of {}, {} of them of degree 2, Euler \
+        "ok: {} quads{left} on the {} vertices of {}, {} of them of degree 2, Euler \
          characteristic {}",
-        arguments.quads.display(),
         report.quads,
         report.vertices,
         arguments.triangulation.as_ref().unwrap_or(&arguments.against).display(),

@@ -42,16 +42,16 @@ pub struct Arguments {
     #[arg(long, default_value = "best", value_name = "NAME")]
     #[arg(value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
-    /// Expansion of lrs: printed (as published) or few-flips (ours: flips an edge only if a search
-    /// for another pairing fails)
-    #[arg(long, default_value = "printed", value_name = "NAME")]
+    /// Expansion of lrs: printed (the default, as published) or few-flips (ours: flips an edge only
+    /// if a search for another pairing fails)
+    #[arg(long, value_name = "NAME")]
     #[arg(value_parser = one_of(Expansion::ALL, Expansion::id))]
-    lrs_variant: Expansion,
-    /// Order in which lrs tests the edges at a vertex: stack (new ones first; fewer edges are
-    /// flipped) or queue (as printed)
-    #[arg(long, default_value = LRS_ORDER.id(), value_name = "NAME")]
+    lrs_variant: Option<Expansion>,
+    /// Order in which lrs tests the edges at a vertex: stack (the default: new ones first; fewer
+    /// edges are flipped) or queue (as printed)
+    #[arg(long, value_name = "NAME")]
     #[arg(value_parser = one_of(Discipline::ALL, Discipline::id))]
-    lrs_order: Discipline,
+    lrs_order: Option<Discipline>,
     /// Search for augmenting paths: local (ours), tarjan (as published, slow on purpose) or rebuild
     /// (as tarjan, with the graph set up anew for each path)
     #[arg(long, default_value = "local", value_name = "NAME")]
@@ -96,10 +96,10 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Returns the algorithm with the variant of lrs.
-    fn algorithm(&self) -> Algorithm {
-        match self.algorithm {
-            Algorithm::Lrs(_) => Algorithm::Lrs(self.lrs_variant),
+    /// Returns `algorithm` with the variant of lrs.
+    fn in_full(&self, algorithm: Algorithm) -> Algorithm {
+        match algorithm {
+            Algorithm::Lrs(_) => Algorithm::Lrs(self.lrs_variant.unwrap_or_default()),
             other => other,
         }
     }
@@ -107,7 +107,7 @@ impl Arguments {
     /// Returns a converter with all options but the algorithm and the aims of best.
     fn converter<'a>(&self, progress: &'a mut StatusLine) -> Converter<'a> {
         Converter::new()
-            .lrs_order(self.lrs_order)
+            .lrs_order(self.lrs_order.unwrap_or(LRS_ORDER))
             .augmentation(self.augmentation)
             .seed(self.seed)
             .orient(self.repairs.orient)
@@ -118,6 +118,15 @@ impl Arguments {
     /// Refuses options that mean nothing together.
     fn check(&self) -> Result<(), Failure> {
         self.aims.check()?;
+        let is_lrs = matches!(self.algorithm, Algorithm::Lrs(_)) || self.compare;
+        let options =
+            [("variant", self.lrs_variant.is_some()), ("order", self.lrs_order.is_some())];
+        if let Some((option, _)) = options.into_iter().find(|&(_, is_given)| is_given && !is_lrs) {
+            let algorithm = self.algorithm;
+            return Err(Failure::bad(format!(
+                "--lrs-{option}: {algorithm} has no such thing; use --algorithm lrs"
+            )));
+        }
         if self.certificate.is_some() && self.algorithm != Algorithm::Best {
             let algorithm = self.algorithm;
             return Err(Failure::bad(format!(
@@ -175,7 +184,7 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     status.stop_after(arguments.stop_after_paths.map_or(usize::MAX, |paths| paths as usize));
     let converted = arguments
         .converter(&mut status)
-        .algorithm(arguments.algorithm())
+        .algorithm(arguments.in_full(arguments.algorithm))
         .aims(aims.aims.clone())
         .keep_proof(arguments.certificate.is_some())
         .run(mesh);
@@ -235,10 +244,7 @@ fn compare(
 ) -> Result<(), Failure> {
     let mut table = comparison::Table::new(&aims.aims);
     for algorithm in Algorithm::ALL {
-        let named = match algorithm {
-            Algorithm::Lrs(_) => Algorithm::Lrs(arguments.lrs_variant),
-            other => other,
-        };
+        let named = arguments.in_full(algorithm);
         let mut converter = arguments.converter(&mut status).algorithm(named);
         if named == Algorithm::Best {
             converter = converter.aims(aims.aims.clone());

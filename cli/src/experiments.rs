@@ -1,10 +1,11 @@
 //! Options that `plan` and `run` share: experiment files, data folders, scale, shard.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use triquad_lab::experiment::data_folder::{self, DataSurvey};
+use triquad_lab::experiment::data_folder::{self, DataMesh, DataSurvey};
 use triquad_lab::experiment::estimate::Estimate;
 use triquad_lab::experiment::plan::Plan;
+use triquad_lab::experiment::planned_mesh::PlannedMesh;
 use triquad_lab::experiment::spec::Experiment;
 use triquad_lab::meshes::paper::Scale;
 
@@ -49,11 +50,7 @@ impl Selection {
     pub fn plan(&self) -> Result<Plan, Failure> {
         let mut experiments = Vec::new();
         for file in &self.files {
-            let mut experiment = Experiment::read(file).map_err(|error| {
-                Failure::bad(format!(
-                    "{error}; see experiments/README.md for what such a file says"
-                ))
-            })?;
+            let mut experiment = read(file)?;
             if let Some(seconds) = self.timeout {
                 experiment.limits.timeout_seconds = seconds;
             }
@@ -61,10 +58,7 @@ impl Selection {
         }
         let data = self.data()?;
         data.remarks.iter().for_each(|remark| stdio::complain(remark));
-        let plan = Plan::new(&experiments, self.scale, &data.meshes);
-        let mut plan = plan.map_err(|error| {
-            Failure::bad(format!("{error}; name its folder with --data, or take it out"))
-        })?;
+        let mut plan = plan_of(&experiments, self.scale, &data.meshes)?;
         if let Some((i, n)) = self.shard {
             plan.shard(i, n);
         }
@@ -76,6 +70,26 @@ impl Selection {
         data_folder::survey(&self.data)
             .map_err(|error| Failure::bad(format!("{error}; --data names a folder with meshes")))
     }
+}
+
+/// Reads an experiment file.
+fn read(file: &Path) -> Result<Experiment, Failure> {
+    Experiment::read(file).map_err(|error| {
+        Failure::bad(format!("{error}; see experiments/README.md for what such a file says"))
+    })
+}
+
+fn plan_of(experiments: &[Experiment], scale: Scale, data: &[DataMesh]) -> Result<Plan, Failure> {
+    Plan::new(experiments, scale, data).map_err(|error| {
+        Failure::bad(format!("{error}; name its folder with --data, or take it out"))
+    })
+}
+
+/// Returns the meshes whose pictures these experiment files show; they are the papers' meshes.
+pub fn pictured(files: &[PathBuf], scale: Scale) -> Result<Vec<PlannedMesh>, Failure> {
+    let experiments: Vec<Experiment> =
+        files.iter().map(|file| read(file)).collect::<Result<_, _>>()?;
+    Ok(plan_of(&experiments, scale, &[])?.pictured)
 }
 
 /// Writes an estimate in words: `about 3 min, 2.5 GB of memory, …`.

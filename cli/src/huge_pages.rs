@@ -3,13 +3,18 @@
 //! Neighbours in a mesh may lie far apart in memory. With pages of 4 KiB such an access misses the
 //! cache of addresses as well as the data, and the kernel provides each page on its own. Linux
 //! offers 2 MiB pages, on most systems only on request (`madvise`).
+//!
+//! A block that the system refuses ends the process in good order, where Rust would abort it.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::ffi::c_void;
 
 use rustix::mm::{Advice, madvise};
 
-/// Forwards to [`System`], and advises the kernel to use huge pages for large blocks.
+use crate::out_of_memory;
+
+/// Forwards to [`System`], and advises the kernel to use huge pages for large blocks. A block is
+/// never null.
 pub struct HugePages;
 
 const HUGE_PAGE: usize = 2 << 20;
@@ -18,25 +23,26 @@ const HUGE_PAGE: usize = 2 << 20;
 const LARGE: usize = 4 * HUGE_PAGE;
 
 // SAFETY: every call is forwarded to `System` with its arguments, and the block is returned as it
-// is. The advice changes neither content nor owner of a block.
+// is. The advice changes neither content nor owner of a block. Where there is no block, the process
+// ends: nothing unwinds.
 #[allow(unsafe_code)]
 unsafe impl GlobalAlloc for HugePages {
     #[inline]
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: `System` has the same contract, which the caller keeps.
-        advise(unsafe { System.alloc(layout) }, layout.size())
+        given(unsafe { System.alloc(layout) }, layout.size())
     }
 
     #[inline]
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
         // SAFETY: as above.
-        advise(unsafe { System.alloc_zeroed(layout) }, layout.size())
+        given(unsafe { System.alloc_zeroed(layout) }, layout.size())
     }
 
     #[inline]
     unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         // SAFETY: as above.
-        advise(unsafe { System.realloc(block, layout, size) }, size)
+        given(unsafe { System.realloc(block, layout, size) }, size)
     }
 
     #[inline]
@@ -46,10 +52,13 @@ unsafe impl GlobalAlloc for HugePages {
     }
 }
 
-/// Requests huge pages for a large block of `size` bytes; returns the block.
+/// Requests huge pages for a large block of `size` bytes. Returns the block, if there is one.
 #[inline]
-fn advise(block: *mut u8, size: usize) -> *mut u8 {
-    if size >= LARGE && !block.is_null() {
+fn given(block: *mut u8, size: usize) -> *mut u8 {
+    if block.is_null() {
+        out_of_memory::end(size);
+    }
+    if size >= LARGE {
         advise_large(block, size);
     }
     block

@@ -11,7 +11,7 @@ use triquad_lab::meshes::paper::Scale;
 
 use crate::failure::Failure;
 use crate::names::one_of;
-use crate::{report, stdio};
+use crate::{report, results_folder, stdio};
 
 /// Import results measured elsewhere into a results folder
 ///
@@ -58,8 +58,8 @@ fn parse_mapping(text: &str) -> Result<(String, String), String> {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let imported = read(arguments)?;
     let out = &arguments.out;
-    let failure = |error: std::io::Error| Failure::bad(format!("{}: {error}", out.display()));
-    let mut journal = Journal::open(out).map_err(|error| Failure::bad(error.to_string()))?;
+    let failure = |error: std::io::Error| results_folder::unwritable(out, &error);
+    let mut journal = Journal::open(out).map_err(|error| results_folder::closed(&error))?;
     let facts = [
         ("imported from", arguments.file.display().to_string()),
         ("imported by", machine::program()),

@@ -94,12 +94,17 @@ pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<Mesh, Failure
 /// Builds the triangulation of a mesh read from `path`, after its repairs.
 pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Failure> {
     triangulate(path, mesh, repairs)?;
-    let triangulation = Triangulation::build_oriented(mesh, repairs.orient);
+    let triangulation = build_oriented(mesh, repairs);
     triangulation.map_err(|survey| {
         let opens = survey.is_open_surface(repairs.orient);
         let remedy = opens.then_some("only 'convert --open' and check take it as it is");
         refusal(path, &survey, remedy, mesh.unknown_lines())
     })
+}
+
+/// Builds the triangulation, after faces are turned if requested.
+fn build_oriented(mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Box<Survey>> {
+    if repairs.orient { Triangulation::build_oriented(mesh) } else { Triangulation::build(mesh) }
 }
 
 /// A surface with its mesh.
@@ -113,7 +118,7 @@ pub enum Built {
 pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Failure> {
     let mut mesh = read(path, repairs.reading)?;
     triangulate(path, &mut mesh, repairs)?;
-    let survey = match Triangulation::build_oriented(&mut mesh, repairs.orient) {
+    let survey = match build_oriented(&mut mesh, repairs) {
         Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
         Err(survey) => survey,
     };

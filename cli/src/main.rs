@@ -5,7 +5,7 @@
 //! `manual`. The other files are shared by several verbs.
 //!
 //! Exit codes: 0 done; 1 a check failed; 2 bad input or usage. A failure is one line on standard
-//! error with the file, the place, the law and the remedy.
+//! error with the file, the place, the law and the remedy. So is a refusal of memory (Linux).
 
 mod aims;
 mod bad_runs;
@@ -29,11 +29,15 @@ mod machine;
 mod manual;
 mod merge;
 mod names;
+#[cfg(target_os = "linux")]
+mod out_of_memory;
+mod own_program;
 mod paper;
 mod plan;
 mod progress;
 mod reduction;
 mod report;
+mod results_folder;
 mod run;
 mod several;
 mod simplify;
@@ -43,6 +47,8 @@ mod threads;
 
 use std::num::NonZeroUsize;
 use std::process::ExitCode;
+#[cfg(unix)]
+use std::sync::Arc;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
@@ -121,15 +127,21 @@ fn become_foreign_program() -> Option<ExitCode> {
     Some(ExitCode::from(127))
 }
 
+/// Makes a file that outgrows a limit (`ulimit -f`) an error of writing. The signal would end the
+/// process.
+#[cfg(unix)]
+fn outlive_full_files() {
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
+
 /// Removes half-written files on an interrupt; finished files stay.
 fn clean_up_when_interrupted() {
     let handler = || {
         triquad::atomic_file::abandon_all();
         std::process::exit(triquad_lab::experiment::process::INTERRUPTED);
     };
-    if let Err(error) = ctrlc::set_handler(handler) {
-        stdio::complain(&format!("interrupts will not be cleaned up after: {error}"));
-    }
+    // Fails only where no thread is to be had. Interrupts are ignored then, other signals are not.
+    let _ = ctrlc::set_handler(handler);
 }
 
 /// Runs the verb that the arguments name.
@@ -139,6 +151,8 @@ fn main() -> ExitCode {
     if let Some(code) = become_foreign_program() {
         return code;
     }
+    #[cfg(unix)]
+    outlive_full_files();
     clean_up_when_interrupted();
     let arguments = names::with_weld_values(std::env::args_os());
     let result = match Arguments::try_parse_from(arguments) {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use triquad_lab::experiment::merge::{MergeError, merge};
 
 use crate::failure::Failure;
-use crate::{bad_runs, stdio};
+use crate::{bad_runs, results_folder, stdio};
 
 /// Join the results of several machines
 ///
@@ -26,9 +26,10 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let merged = merge(&arguments.folders, &arguments.out).map_err(|error| match error {
         MergeError::Results(error) => {
-            Failure::bad(format!("{error}; name folders that 'triquad run' has written"))
+            results_folder::unreadable(&error, "name folders that 'triquad run' has written")
         }
-        MergeError::Lock(error) => Failure::bad(error.to_string()),
+        MergeError::Lock(error) => results_folder::unlockable(&error),
+        MergeError::Write { out, error } => results_folder::unwritable(&out, &error),
     })?;
     let (rows, damaged) = (merged.records.len(), merged.damaged.len());
     let out = arguments.out.display();

@@ -27,7 +27,9 @@ impl StatusLine {
             ProgressBar::hidden()
         } else {
             let bar = ProgressBar::new_spinner();
-            bar.enable_steady_tick(Duration::from_millis(120));
+            if !bar.is_hidden() && threads_can_be_had() {
+                bar.enable_steady_tick(Duration::from_millis(120));
+            }
             bar
         };
         let line = Self { bar, start: Instant::now(), paths_left: usize::MAX };
@@ -46,6 +48,11 @@ impl StatusLine {
         self.bar.set_message(message.to_owned());
         self.keep(message);
     }
+}
+
+/// Returns whether the system grants a thread: the spinner panics without.
+fn threads_can_be_had() -> bool {
+    std::thread::Builder::new().spawn(|| ()).is_ok()
 }
 
 impl StatusLine {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
-use triquad::{Mesh, Triangulation};
+use triquad::{Mesh, Size, Triangulation};
 
 use crate::failure::Failure;
 use crate::input::{self, Repairs};
@@ -28,28 +28,18 @@ pub struct Opened<'a> {
     pub targets: Targets<'a>,
     pub mesh: Mesh,
     pub triangulation: Triangulation,
-    pub size: InputSize,
+    pub size: Size,
     pub read_seconds: f64,
     pub build_seconds: f64,
     /// Content of the input that the result does not carry over.
     pub left_out: Vec<String>,
 }
 
-/// Counts of the input.
-#[derive(Clone, Copy, Serialize)]
-pub struct InputSize {
-    pub vertices: usize,
-    pub edges: usize,
-    pub triangles: usize,
-    pub genus: usize,
-    pub components: usize,
-}
-
 /// Counts of the input and of the result.
 #[derive(Serialize)]
 pub struct Sizes {
     #[serde(flatten)]
-    pub input: InputSize,
+    pub input: Size,
     pub result_vertices: usize,
     pub result_edges: usize,
     pub result_triangles: usize,
@@ -73,7 +63,7 @@ impl<'a> Opened<'a> {
         let (built, build_seconds) = clock.time(|| input::build(input, &mut mesh, options.repairs));
         let triangulation = built?;
         Ok(Self {
-            size: InputSize::new(&triangulation),
+            size: Size::from(&triangulation),
             left_out: input::left_out_of_faces(&mesh),
             status,
             targets,
@@ -85,21 +75,9 @@ impl<'a> Opened<'a> {
     }
 }
 
-impl InputSize {
-    fn new(triangulation: &Triangulation) -> Self {
-        Self {
-            vertices: triangulation.vertex_count(),
-            edges: triangulation.edge_count(),
-            triangles: triangulation.triangle_count(),
-            genus: triangulation.genus(),
-            components: triangulation.component_count(),
-        }
-    }
-}
-
 impl Sizes {
     /// Counts `result`; each contraction has removed one vertex.
-    pub fn new(input: InputSize, result: &Triangulation) -> Self {
+    pub fn new(input: Size, result: &Triangulation) -> Self {
         let result_vertices = result.vertex_count();
         Self {
             input,

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
-use triquad_lab::experiment::journal::{Journal, JournalError};
+use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine;
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 use triquad_lab::experiment::planned_mesh::PlannedMesh;
@@ -19,7 +19,7 @@ use triquad_lab::report::{self as lab_report, Extent};
 
 use crate::experiments::{Selection, duration};
 use crate::failure::Failure;
-use crate::{bad_runs, generate, input, report, stdio};
+use crate::{bad_runs, generate, input, own_program, report, results_folder, stdio};
 
 /// Run experiments: each run is a process, and a row of runs.csv
 ///
@@ -52,13 +52,14 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let plan = arguments.selection.plan()?;
     let out = &arguments.out;
-    let failure = |error: io::Error| folder_failure(out, &error);
-    let mut journal = Journal::open(out).map_err(|error| journal_failure(&error))?;
+    let failure = |error: io::Error| results_folder::unwritable(out, &error);
+    let mut journal = Journal::open(out).map_err(|error| results_folder::closed(&error))?;
     complain_of_damage(out, &journal);
     let runner = runner(arguments, &mut journal).map_err(failure)?;
     let view = RunView::new(out);
     let drawn = draw_pictures(out, &plan, &runner, &view);
-    runner.execute(&plan, &mut journal, &SystemClock::default(), &view).map_err(failure)?;
+    let executed = runner.execute(&plan, &mut journal, &SystemClock::default(), &view);
+    executed.map_err(|error| interrupted(out, &error))?;
     view.finish(&journal)?;
     drawn
 }
@@ -75,15 +76,6 @@ fn draw_pictures(out: &Path, plan: &Plan, runner: &Runner, view: &RunView) -> Re
         }
     }
     failed
-}
-
-fn journal_failure(error: &JournalError) -> Failure {
-    let remedy = match error {
-        JournalError::Lock(_) => "",
-        JournalError::Read(_) => "; name another folder with --out",
-        JournalError::Write { .. } => "; 'triquad run' goes on from what is there",
-    };
-    Failure::bad(format!("{error}{remedy}"))
 }
 
 /// Prints what was wrong with the folder: damaged rows, lost names, no locks.
@@ -113,28 +105,14 @@ fn runner(arguments: &Arguments, journal: &mut Journal) -> io::Result<Runner> {
     let facts = machine::facts();
     let name = machine::name_of(&facts);
     journal.note_machine(&name, facts)?;
-    let program = own_program()?;
     Ok(Runner {
-        program_hash: machine::hash_of_file(&program)?,
-        program,
+        program_hash: own_program::hash()?,
+        program: own_program::path()?,
         machine: name,
         workshop: arguments.out.join("meshes"),
         cache: arguments.cache.folder(),
         jobs: arguments.jobs,
     })
-}
-
-/// Returns a path that leads to this very program, even if its file is replaced meanwhile.
-#[cfg(target_os = "linux")]
-fn own_program() -> io::Result<PathBuf> {
-    let program = Path::new("/proc/self/exe");
-    // Without /proc there is the path only.
-    if program.exists() { Ok(program.to_owned()) } else { std::env::current_exe() }
-}
-
-#[cfg(not(target_os = "linux"))]
-fn own_program() -> io::Result<PathBuf> {
-    std::env::current_exe()
 }
 
 fn picture_failure(mesh: &str, error: &DrawError) -> Failure {
@@ -144,7 +122,7 @@ fn picture_failure(mesh: &str, error: &DrawError) -> Failure {
     }
 }
 
-fn folder_failure(folder: &Path, error: &io::Error) -> Failure {
+fn interrupted(folder: &Path, error: &io::Error) -> Failure {
     Failure::bad(format!(
         "{}: {error}; finished runs are kept, and 'triquad run' goes on from there",
         folder.display()

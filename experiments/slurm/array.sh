@@ -2,7 +2,7 @@
 # One part of the experiments, as a task of a Slurm job array. submit.sh sends it off with all
 # settings; to do so by hand, set in the environment
 #
-#   EXPERIMENTS   experiment files, with blanks between them
+#   EXPERIMENTS   experiment files, one a line or with blanks between them
 #   SCALE         full, small or demo
 #   OUT           results folder that every node sees; this task writes OUT/part-I
 #   DATA          folder with meshes of your own, or nothing
@@ -42,7 +42,11 @@ folder=$OUT/part-$part
 options=(--scale "${SCALE:-full}" --shard "$part/$PARTS" --out "$folder" --jobs "${JOBS:-1}")
 [[ -z ${DATA:-} ]] || options+=(--data "$DATA")
 [[ -z ${CACHE:-} ]] || options+=(--cache "$CACHE")
-read -ra files <<<"$EXPERIMENTS"
+if [[ $EXPERIMENTS == *$'\n'* || -e $EXPERIMENTS ]]; then
+    mapfile -t files <<<"$EXPERIMENTS"
+else
+    read -ra files <<<"$EXPERIMENTS"
+fi
 
 echo "part $part of $PARTS on $(hostname), start ${SLURM_RESTART_COUNT:-0}"
 mkdir -p "$folder"

@@ -9,7 +9,8 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$(dirname "$here")")
 
 export SCALE=${SCALE:-full}
-both="$root/experiments/comparison.toml $root/experiments/irreducible.toml"
+# One a line: $root may have blanks.
+both=$root/experiments/comparison.toml$'\n'$root/experiments/irreducible.toml
 export EXPERIMENTS=${EXPERIMENTS:-$both}
 export OUT=${OUT:-$PWD/results/slurm-$SCALE}
 export DATA=${DATA:-}
@@ -26,7 +27,11 @@ fail() {
 command -v sbatch >/dev/null || fail "sbatch was not found; README.md tells how to do without Slurm"
 command -v "$TRIQUAD" >/dev/null ||
     fail "$TRIQUAD was not found: 'make build' makes it, or set TRIQUAD"
-read -ra selection <<<"$EXPERIMENTS"
+if [[ $EXPERIMENTS == *$'\n'* || -e $EXPERIMENTS ]]; then
+    mapfile -t selection <<<"$EXPERIMENTS"
+else
+    read -ra selection <<<"$EXPERIMENTS"
+fi
 selection+=(--scale "$SCALE")
 [[ -z $DATA ]] || selection+=(--data "$DATA")
 # What is wrong with them shows here and not in twenty logs.

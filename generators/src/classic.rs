@@ -54,6 +54,39 @@ pub fn seven_vertex_torus() -> Surface {
     }
 }
 
+/// The bipyramid over a polygon of `m` sides with a vertex in each of its triangles: `3m + 2`
+/// vertices, `6m` triangles. Convex as seen from its axis, outward. O(m).
+///
+/// Figure 6 of Ramaswami and Siqueira (arXiv:1409.6015): the sides of the polygon and the edges
+/// from its corners to the apexes cannot be contracted as long as the others are there.
+///
+/// The apexes are 0 and 1, the corners follow, then the vertices of the upper and of the lower
+/// triangles.
+///
+/// # Panics
+/// If `m` is less than 3 or more than 2²⁸.
+pub fn starred_bipyramid(m: u32) -> Surface {
+    assert!((3..=1 << 28).contains(&m), "a polygon has 3 to 2^28 sides here, not {m}");
+    let corners: Vec<[f64; 2]> = (0..m).map(|i| circle(i, m)).collect();
+    let corner = |i: u32| 2 + i % m;
+    let mut positions = vec![[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+    positions.extend(corners.iter().map(|&[x, y]| [x, y, 0.0]));
+    let mut triangles = Vec::with_capacity(6 * m as usize);
+    for (apex, height) in [(0, 1.0), (1, -1.0)] {
+        for i in 0..m {
+            let [a, b] = [i, (i + 1) % m].map(|i| corners[i as usize]);
+            let centre = positions.len() as u32;
+            positions.push([0.4 * (a[0] + b[0]), 0.4 * (a[1] + b[1]), 0.4 * height]);
+            let mut round = [corner(i), corner(i + 1), apex];
+            if apex == 1 {
+                round.reverse();
+            }
+            triangles.extend((0..3).map(|k| [round[k], round[(k + 1) % 3], centre]));
+        }
+    }
+    Surface { positions, triangles }
+}
+
 /// The projective plane on 6 vertices, each joined to every other, with 10 triangles: closed, not
 /// orientable, Euler characteristic 1.
 ///

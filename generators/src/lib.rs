@@ -6,6 +6,7 @@
 //! * [`organic`]: smooth, irregular shapes of any genus;
 //! * [`sculptor`]: small edits that keep a closed surface valid, fit for property tests;
 //! * [`random`]: random surfaces of any genus, and irregular versions of regular ones;
+//! * [`worst_cases`]: surfaces on which some algorithms take longer than elsewhere;
 //! * `testing` (feature `testing`): what the tests of several crates share.
 //!
 //! The closed orientable surfaces are consistently oriented, counter-clockwise seen from outside
@@ -34,6 +35,7 @@ pub mod random;
 pub mod sculptor;
 #[cfg(any(test, feature = "testing"))]
 pub mod testing;
+pub mod worst_cases;
 
 #[cfg(test)]
 mod check;

@@ -67,7 +67,7 @@ pub struct AlgorithmFacts {
 }
 
 /// Every algorithm, those of the papers first: the order of tables and plots.
-static ALGORITHMS: [AlgorithmFacts; 11] = [
+static ALGORITHMS: [AlgorithmFacts; 12] = [
     row("sg", "SG", (ORANGE, Mark::Circle), true, (0.15e-6, 120.0), [0.125, 0.0, 0.0]),
     row("ps", "PS", (BLUE, Mark::Square), true, (0.15e-6, 120.0), [0.001, 0.0, 0.0]),
     row("ds", "DS", (GREEN, Mark::Up), true, (25e-6, 450.0), [0.0, 0.0, 0.0]),
@@ -80,6 +80,7 @@ static ALGORITHMS: [AlgorithmFacts; 11] = [
         (0.8e-6, 160.0),
         [0.0, 12.0, 4.0],
     ),
+    row("velho", "Velho", (SKY, Mark::Circle), false, (0.3e-6, 140.0), [0.125, 0.0, 0.0]),
     row("gw", "GW", (SKY, Mark::Down), false, (2.4e-6, 120.0), [0.0, 0.0, 0.0]),
     row("best", "BEST", (GREEN, Mark::Circle), false, (0.6e-6, 190.0), [0.0; 3]),
     row("tq", "TQ", (GREY, Mark::Circle), true, (0.15e-6, 120.0), [0.0, 0.0, 2.0]),

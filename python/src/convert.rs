@@ -138,7 +138,12 @@ pub fn pair<'py>(
     let mut mesh = faces_alone("triangles", indices::<3>("triangles", triangles)?)?;
     let Options { orient, seed, threads, .. } = options;
     let (pairs, report) = worker::run(py, threads, move |cancel| {
-        let triangulation = Triangulation::build_oriented(&mut mesh, orient)?;
+        let built = if orient {
+            Triangulation::build_oriented(&mut mesh)
+        } else {
+            Triangulation::build(&mesh)
+        };
+        let triangulation = built?;
         let mut progress = cancel.clone();
         let mut converter = Converter::new().algorithm(algorithm).augmentation(augmentation);
         converter = converter.seed(seed).progress(&mut progress);

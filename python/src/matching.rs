@@ -72,7 +72,7 @@ fn numbers<'py>(py: Python<'py>, values: &[u32]) -> Bound<'py, PyArray1<i64>> {
 
 /// Makes an `int64` array, or a list of integers if they do not fit.
 fn wide<'py>(py: Python<'py>, values: &Integers) -> PyResult<Bound<'py, PyAny>> {
-    let all = (0..values.len()).map(|i| values.get(i));
+    let all = (0..values.len()).map(|i| values.at(i));
     match all.clone().map(i64::try_from).collect::<Result<Vec<_>, _>>() {
         Ok(values) => Ok(PyArray1::from_vec(py, values).into_any()),
         Err(_) => Ok(all.collect::<Vec<_>>().into_pyobject(py)?.into_any()),

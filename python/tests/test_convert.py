@@ -20,7 +20,7 @@ import pytest
 import triquad
 from surfaces import TETRAHEDRON, torus
 
-ALGORITHMS = ("best", "tq", "sg", "ps", "ds", "gw", "lrs", "lrs few-flips")
+ALGORITHMS = ("best", "tq", "sg", "velho", "ps", "ds", "gw", "lrs", "lrs few-flips")
 Command = Callable[..., str]
 
 
@@ -74,7 +74,7 @@ def test_open_surfaces_leave_the_fewest_triangles(command: Command, tmp_path: Pa
     with pytest.raises(triquad.MeshError, match="open=True converts it") as refused:
         triquad.convert(vertices, triangles)
     assert refused.value.law == "boundary-edge"
-    for algorithm in ("best", "tq", "ps", "sg"):
+    for algorithm in ("best", "tq", "ps", "sg", "velho"):
         quads, report = triquad.convert(vertices, triangles, algorithm, open=True)
         assert quads.shape == (19, 4) and report.leftover.shape == (1, 3)
         assert report.leftover_triangles == 1 and report.proved_fewest

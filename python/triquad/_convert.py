@@ -146,8 +146,8 @@ def convert(
     triangles : array_like, shape (m, 3), any integer dtype
         Corners of the triangles, counter-clockwise seen from one side, from 0.
     algorithm : str
-        ``best`` (the least total cost, proved), ``tq`` (fastest), ``sg``, ``ps``, ``ds``, ``gw``,
-        ``lrs`` or ``lrs few-flips`` (flips edges).
+        ``best`` (the least total cost, proved), ``tq`` (fastest), ``sg``, ``velho``, ``ps``, ``ds``,
+        ``gw``, ``lrs`` or ``lrs few-flips`` (flips edges).
     keep_sharp : float, degrees, optional
         Lay no quad across an edge at which the surface bends by more. As few edges as can be are
         given up so that all triangles are paired. ``best`` only.
@@ -157,7 +157,7 @@ def convert(
         Give up none of the edges to keep; the fewest triangles are left over instead.
     open : bool
         Allow surfaces with boundary and one-sided ones. The fewest triangles are left over.
-        ``best``, ``tq``, ``ps`` and ``sg`` only.
+        ``best``, ``tq``, ``ps``, ``sg`` and ``velho`` only.
     quad_dominant : float, optional
         Leave triangles wherever a pair would cost more than twice this price; 1 is the price of a
         flat quad with a corner of 180 degrees, and the command's usual price is 0.35. ``best``

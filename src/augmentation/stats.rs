@@ -11,7 +11,8 @@ pub struct AugmentationStats {
     pub total_length: usize,
     /// Length of the longest path.
     pub longest: usize,
-    /// Triangles that entered a search tree, once for every time that they did.
+    /// Triangles that entered a search tree, once for every time that they did; and all of them
+    /// once if `local` gave its search up.
     pub triangles_visited: usize,
 }
 

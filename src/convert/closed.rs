@@ -12,7 +12,7 @@ use crate::clock::SystemClock;
 use crate::dual::{DualGraph, Matching, PerfectMatching};
 use crate::matching::weighted::SolveError;
 use crate::mesh::{Faces, Mesh};
-use crate::pairing::{Algorithm, InitialPairing, Proof, best};
+use crate::pairing::{Algorithm, InitialPairing, Proof, best, squared_length, velho};
 use crate::quadrangulation::quality::Quality;
 use crate::quadrangulation::{
     CheckReport, Mismatch, Quadrangulation, SharpEdges, check_faces, check_retriangulated_faces,
@@ -39,10 +39,10 @@ impl Converter<'_> {
         drop((paired.perfect, paired.dual));
 
         self.enter(Stage::Checking);
-        let quads = quadrangulation.faces();
+        let quads = quadrangulation.to_faces();
         let flipped = match &paired.triangulation {
             Cow::Borrowed(_) => None,
-            Cow::Owned(flipped) => Some(flipped.faces()),
+            Cow::Owned(flipped) => Some(flipped.to_faces()),
         };
         let (check, check_seconds) = self.time(|_| check_result(&quads, flipped.as_ref(), &mesh));
         let check = check?;
@@ -99,6 +99,9 @@ impl Converter<'_> {
             Some(mesh) if self.algorithm == Algorithm::Best => {
                 self.pair_by_cost(triangulation, mesh, &mut report)?
             }
+            Some(mesh) if self.algorithm == Algorithm::Velho => {
+                self.pair_by_length(triangulation, mesh, &mut report)
+            }
             _ => self.pair_by_name(triangulation, &mut report),
         };
         let InitialPairing { triangulation, dual, matching, edge_flips, proof } = initial;
@@ -132,6 +135,22 @@ impl Converter<'_> {
             algorithm.pair_by_clock(triangulation, lrs_order, &mut random, clock)
         });
         report.shuffle_seconds = shuffle_seconds;
+        report.pairing_seconds = seconds;
+        initial
+    }
+
+    /// Pairs across the longest edges.
+    fn pair_by_length<'t>(
+        &mut self,
+        triangulation: &'t Triangulation,
+        mesh: &Mesh,
+        report: &mut Report,
+    ) -> InitialPairing<'t> {
+        let (initial, seconds) = self.time(|_| {
+            InitialPairing::from_input(triangulation, |dual| {
+                velho(dual, |h| squared_length(triangulation, mesh, h))
+            })
+        });
         report.pairing_seconds = seconds;
         initial
     }

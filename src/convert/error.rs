@@ -15,21 +15,21 @@ pub enum ConvertError {
     Refused(#[from] Box<Survey>),
     /// The result failed its check: a mistake of this library.
     #[error("the result failed its check, please report this: {0}")]
-    Wrong(#[from] Mismatch),
+    Wrong(Mismatch),
     /// The costs of the edges cannot be used.
     #[error("the costs of the edges: {0}")]
     Costs(SolveError),
     /// The proof of least cost is wrong: a mistake of this library.
     #[error("the proof of least cost failed its check, please report this: {0}")]
-    Unproved(#[from] ProofError),
+    Unproved(ProofError),
     /// More triangles are left than must be: a mistake of this library.
     #[error("more triangles are left than must be, please report this")]
     NotFewest,
     /// There is not one cost for each edge.
-    #[error("{0}")]
+    #[error(transparent)]
     CostCount(#[from] CostCountError),
     /// An edge to keep is none of the mesh.
-    #[error("{0}")]
+    #[error(transparent)]
     NoSuchEdge(#[from] NoSuchEdge),
     /// The algorithm works on closed, two-sided surfaces only.
     #[error(
@@ -48,4 +48,49 @@ pub enum ConvertError {
     /// [`Progress`](super::Progress) stopped the conversion; the report has what was counted.
     #[error("stopped after {} augmenting paths", .0.paths.paths)]
     Stopped(Box<Report>),
+}
+
+// Their texts stand in the message, so they are no sources: a chain of errors has each text once.
+impl From<Mismatch> for ConvertError {
+    fn from(mismatch: Mismatch) -> Self {
+        Self::Wrong(mismatch)
+    }
+}
+
+impl From<ProofError> for ConvertError {
+    fn from(error: ProofError) -> Self {
+        Self::Unproved(error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::error::Error;
+
+    use super::*;
+
+    /// The messages of an error and of its sources.
+    fn chain(error: &dyn Error) -> Vec<String> {
+        let mut messages = vec![error.to_string()];
+        let mut source = error.source();
+        while let Some(error) = source {
+            messages.push(error.to_string());
+            source = error.source();
+        }
+        messages
+    }
+
+    #[test]
+    fn no_text_stands_twice_in_a_chain_of_errors() {
+        let count = CostCountError { given: 3, edges: 6 };
+        let edge = NoSuchEdge { position: 0, ends: [1, 2] };
+        let vertices = Mismatch::VertexCount { quads: 4, triangles: 5 };
+        let errors = [count.into(), edge.into(), ConvertError::from(vertices)];
+        for error in errors {
+            let chain = chain(&error);
+            for (at, text) in chain.iter().enumerate() {
+                assert!(!chain[..at].iter().any(|before| before.contains(text)), "{chain:?}");
+            }
+        }
+    }
 }

@@ -14,6 +14,7 @@ use crate::dual::{DualGraph, Matching};
 use crate::mesh::Mesh;
 use crate::pairing::{
     Algorithm, Proof, best_matching, eager_rescue, fewest_unpaired, pulli_segal, simple_greedy,
+    squared_length, velho,
 };
 use crate::quadrangulation::quality::Quality;
 use crate::quadrangulation::{CheckReport, MixedCheck, MixedFaces, SharpEdges, check_mixed_faces};
@@ -34,7 +35,7 @@ impl Converter<'_> {
             let (matching, proof) = self.match_by_cost(surface, &dual, &mesh, &mut report)?;
             (matching, Some(proof))
         } else {
-            (self.match_by_name(&dual, &mut report)?, None)
+            (self.match_by_name(surface, &dual, &mesh, &mut report)?, None)
         };
         report.leftover_triangles = Some(matching.unpaired_count());
         let given_up = proof.iter().flat_map(|proof| &proof.given_up);
@@ -93,13 +94,16 @@ impl Converter<'_> {
     /// Finds a maximum matching by the chosen algorithm and proves that it is one.
     fn match_by_name(
         &mut self,
+        surface: &impl Surface,
         dual: &DualGraph,
+        mesh: &Mesh,
         report: &mut Report,
     ) -> Result<Matching, ConvertError> {
         let mut random = Random::stream(self.seed, &[self.algorithm.id()]);
         let (initial, seconds) = self.time(|settings| match settings.algorithm {
             Algorithm::EagerRescue => eager_rescue(dual),
             Algorithm::SimpleGreedy => simple_greedy(dual, &mut random),
+            Algorithm::Velho => velho(dual, |h| squared_length(surface, mesh, h)),
             Algorithm::PulliSegal => pulli_segal(dual, Some(&mut random)),
             // Refused, or with costs of its own.
             _ => Matching::empty(dual.len()),

@@ -80,12 +80,20 @@ pub struct Report {
 }
 
 /// Counts of a surface.
-pub(super) struct Size {
-    vertices: usize,
-    edges: usize,
-    triangles: usize,
-    genus: usize,
-    components: usize,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Size {
+    /// Referenced vertices n_v.
+    pub vertices: usize,
+    /// Edges n_e.
+    pub edges: usize,
+    /// Triangles n_f.
+    pub triangles: usize,
+    /// Genus, summed over the two-sided components.
+    pub genus: usize,
+    /// Connected components.
+    pub components: usize,
 }
 
 impl From<&Triangulation> for Size {

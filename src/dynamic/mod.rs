@@ -9,6 +9,8 @@
 //!
 //! All costs are amortised, n being the number of nodes. Nodes are numbers `0..n`; everything lies
 //! in flat arrays of 32-bit indices, nothing is recursive and nothing random.
+//!
+//! Each structure has an example. Operations that it does not show have no examples of their own.
 
 // Hidden: one pairing algorithm is the only user. It is public for its benchmark and for the tests
 // against naive structures, and may change in any release.

@@ -4,6 +4,27 @@
 //! Three algorithms share one contraction, [`ShrinkingTriangulation::contract`], and differ only in
 //! how they find contractible edges: [`ramaswami_siqueira()`], [`schipper()`] and
 //! [`brute_force()`].
+//!
+//! # Examples
+//!
+//! ```
+//! use triquad::irreducible::{Contractor, Order, check_irreducible};
+//! use triquad::{Mesh, Triangulation};
+//!
+//! let upper = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
+//! let lower = [[5, 2, 1], [5, 3, 2], [5, 4, 3], [5, 1, 4]];
+//! let octahedron = Mesh::from_triangles(vec![[0.0; 3]; 6], [upper, lower].concat());
+//! for contractor in Contractor::ALL {
+//!     let triangulation = Triangulation::build(&octahedron)?;
+//!     let least = contractor.reduce(triangulation, Order::File, 7);
+//!     assert_eq!((least.vertices.len(), least.contractions), (4, 2));
+//!     check_irreducible(&least.mesh(&octahedron), 1, 0).expect("a tetrahedron");
+//! }
+//! # Ok::<(), Box<triquad::Survey>>(())
+//! ```
+//!
+//! The three functions take what [`Contractor::reduce`] gives them, and have no examples of their
+//! own.
 
 mod brute_force;
 mod check;
@@ -98,7 +119,7 @@ impl Irreducible {
     pub fn mesh(&self, input: &Mesh) -> Mesh {
         let position = |v: &VertexId| input.positions()[v.index()];
         let positions = self.vertices.iter().map(position).collect();
-        Mesh::new(positions, self.triangulation.faces())
+        Mesh::new(positions, self.triangulation.to_faces())
     }
 }
 

@@ -17,7 +17,7 @@ use crate::triangulation::TriangleId;
 pub(crate) enum Place {
     /// In no tree.
     Free,
-    /// In the tree of this number, reached only at odd distance from the root; or that is fenced.
+    /// In the tree of this number, reached only at odd distance from the root.
     Inner(TreeId),
     /// In the tree of this number, and reached by a path of even length.
     Outer(TreeId),
@@ -107,18 +107,10 @@ impl List {
     }
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Fate {
-    Standing,
-    /// Its root is paired, but its triangles are not to be taken by other trees.
-    Fenced,
-    /// Its triangles are free.
-    Felled,
-}
-
 struct Tree {
     root: u32,
-    fate: Fate,
+    /// False once it has been felled: its triangles are free.
+    stands: bool,
     /// Outer triangles still to be scanned.
     queue: List,
     /// Outer triangles beside an inner one of another tree, to be scanned again later.
@@ -145,7 +137,7 @@ impl Forest {
     }
 
     fn no_tree() -> Tree {
-        Tree { root: END, fate: Fate::Felled, queue: List::EMPTY, barred: List::EMPTY }
+        Tree { root: END, stands: false, queue: List::EMPTY, barred: List::EMPTY }
     }
 
     /// Forgets everything but the count of visits. Θ(n).
@@ -164,9 +156,9 @@ impl Forest {
     #[inline]
     pub(crate) fn place(&self, f: TriangleId) -> Place {
         let node = &self.nodes[f.index()];
-        match (self.trees[node.tree as usize].fate, node.label_and_mark & LABEL) {
-            (Fate::Felled, _) => Place::Free,
-            (Fate::Fenced, _) | (_, INNER) => Place::Inner(TreeId(node.tree)),
+        match (self.trees[node.tree as usize].stands, node.label_and_mark & LABEL) {
+            (false, _) => Place::Free,
+            (true, INNER) => Place::Inner(TreeId(node.tree)),
             _ => Place::Outer(TreeId(node.tree)),
         }
     }
@@ -180,7 +172,7 @@ impl Forest {
             Node { tree, base: root.0, label_and_mark: OUTER, ..Node::default() };
         let mut queue = List::EMPTY;
         queue.push(&mut self.nodes, root.0);
-        self.trees.push(Tree { root: root.0, fate: Fate::Standing, queue, barred: List::EMPTY });
+        self.trees.push(Tree { root: root.0, stands: true, queue, barred: List::EMPTY });
         TreeId(tree)
     }
 
@@ -236,22 +228,12 @@ impl Forest {
 
     /// Forgets `tree`: its triangles are free again. O(1).
     pub(crate) fn fell(&mut self, tree: TreeId) {
-        self.trees[tree.0 as usize].fate = Fate::Felled;
+        self.trees[tree.0 as usize].stands = false;
     }
 
-    /// Forgets all trees. O(their number).
-    pub(crate) fn fell_all(&mut self) {
-        self.trees.iter_mut().for_each(|tree| tree.fate = Fate::Felled);
-    }
-
-    /// Ends the growth of `tree`, but keeps its triangles from other trees. O(1).
-    pub(crate) fn fence(&mut self, tree: TreeId) {
-        self.trees[tree.0 as usize].fate = Fate::Fenced;
-    }
-
-    /// Returns whether `tree` has been neither felled nor fenced.
+    /// Returns whether `tree` has not been felled.
     pub(crate) fn stands(&self, tree: TreeId) -> bool {
-        self.trees[tree.0 as usize].fate == Fate::Standing
+        self.trees[tree.0 as usize].stands
     }
 
     /// Returns the base of the outermost blossom around `f`, or `f` itself.

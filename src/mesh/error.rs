@@ -98,6 +98,9 @@ impl MeshError {
 /// Returns the remedy for an error of the operating system, as an instruction to the user.
 pub fn io_remedy(error: &std::io::Error) -> &'static str {
     use std::io::ErrorKind;
+    if error.get_ref().is_some_and(|inner| inner.is::<crate::atomic_file::NoFolder>()) {
+        return "make the folder first, or name another";
+    }
     match error.kind() {
         ErrorKind::ReadOnlyFilesystem => "name a file on a disk that can be written to",
         ErrorKind::StorageFull => "free some space there, or write to another disk",

@@ -4,6 +4,29 @@
 //! the order of vertices and faces, unreferenced vertices and every f64 value. Writers print values
 //! that read back to the same f64. Nothing about the mesh is judged here.
 //! Uses [`atomic_file`](crate::atomic_file) and threads, nothing else of the library.
+//!
+//! # Examples
+//!
+//! Polygons are cut, and faces are replaced:
+//!
+//! ```
+//! use triquad::mesh::{Faces, Mesh};
+//!
+//! let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+//! let mut mesh = Mesh::new(corners, Faces::uniform(4, vec![0, 1, 2, 3]));
+//! mesh.triangulate()?;
+//! assert_eq!((mesh.faces().len(), mesh.faces().arity()), (2, Some(3)));
+//!
+//! let mut faces = Faces::default();
+//! faces.push(&[0, 1, 2]);
+//! let mut half = mesh.with_faces(faces);
+//! half.reverse_face(0);
+//! assert_eq!(half.faces()[0], [0, 2, 1]);
+//! # Ok::<(), triquad::mesh::CutError>(())
+//! ```
+//!
+//! `Mesh::read` and `Mesh::write` are on the first page of the crate. Functions that read one part
+//! of a mesh have no examples of their own.
 
 mod attributes;
 mod corner_indices;

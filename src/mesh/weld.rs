@@ -25,6 +25,15 @@ impl Mesh {
     /// Neighbouring corners of a face that become one are one corner. A face of fewer than three
     /// is dropped.
     ///
+    /// ```
+    /// use triquad::mesh::Mesh;
+    ///
+    /// let corners = [0.0, 1.0, 2.0, 1.0, 2.0, 3.0].map(|x| [x, x * x, 0.0]);
+    /// let mut mesh = Mesh::from_triangles(corners.to_vec(), vec![[0, 1, 2], [4, 3, 5]]);
+    /// assert_eq!(mesh.weld(0.0).merged_vertices, 2);
+    /// assert_eq!(mesh.faces()[1], [2, 1, 3]);
+    /// ```
+    ///
     /// # Cost
     /// O(n) expected; 27 look-ups a vertex if `tolerance` is greater than 0.
     ///

@@ -13,6 +13,7 @@ use super::pulli_segal::pair_by_priority;
 use super::ranked_graph::RankedGraph;
 use super::shuffler::Shuffler;
 use super::simple_greedy::pair_edges;
+use super::velho::velho;
 use crate::clock::Clock;
 use crate::irreducible::Discipline;
 use crate::names::{UnknownNameError, find, serde_as_string};
@@ -29,6 +30,9 @@ pub enum Algorithm {
     EagerRescue,
     /// `sg`: simple greedy, edges in random order (Lemos et al., section 3.1).
     SimpleGreedy,
+    /// `velho`: simple greedy, the longest edge first, after Velho (section 3.1). The seed is
+    /// ignored.
+    Velho,
     /// `ps`: the greedy algorithm of Pulli and Segal, triangles in random order (section 3.1).
     PulliSegal,
     /// `ds`: Frink's reductions with dynamic connectivity, in the spirit of Diks and Stanczyk
@@ -43,10 +47,11 @@ pub enum Algorithm {
 
 impl Algorithm {
     /// All algorithms, those with variants as published.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Best,
         Self::EagerRescue,
         Self::SimpleGreedy,
+        Self::Velho,
         Self::PulliSegal,
         Self::DiksStanczyk,
         Self::GawrychowskiWasylkiewicz,
@@ -59,6 +64,7 @@ impl Algorithm {
             Self::Best => "best",
             Self::EagerRescue => "tq",
             Self::SimpleGreedy => "sg",
+            Self::Velho => "velho",
             Self::PulliSegal => "ps",
             Self::DiksStanczyk => "ds",
             Self::GawrychowskiWasylkiewicz => "gw",
@@ -69,7 +75,8 @@ impl Algorithm {
     /// Pairs up triangles of `triangulation`.
     ///
     /// Equal input and equal `random` give equal output. O(n); `ds` O(n log² n), `gw` O(n log n).
-    /// `best` has no costs here: to it all pairings are equally good, see [`best`] for costs. `lrs`
+    /// `best` has no costs here: to it all pairings are equally good, see [`best`] for costs. To
+    /// `velho` all edges are equally long, see [`velho`] for lengths; it takes O(n log n). `lrs`
     /// contracts in [`LRS_ORDER`], see [`lrs`] for others.
     pub fn pair<'t>(
         self,
@@ -113,6 +120,7 @@ impl Algorithm {
                 shuffle_seconds = random.seconds();
                 matching
             }),
+            Self::Velho => InitialPairing::from_input(triangulation, |dual| velho(dual, |_| 0.0)),
             Self::PulliSegal => {
                 let ranked = RankedGraph::new(triangulation);
                 let (dual, matching, seconds) = pair_by_priority(ranked, Some(random));
@@ -180,7 +188,7 @@ mod tests {
         let refusal = |name: &str| name.parse::<Algorithm>().unwrap_err().to_string();
         assert_eq!(
             refusal("mst"),
-            "\"mst\" is no pairing algorithm; use one of: best, tq, sg, ps, ds, gw, lrs"
+            "\"mst\" is no pairing algorithm; use one of: best, tq, sg, velho, ps, ds, gw, lrs"
         );
         assert_eq!(
             refusal("lrs no-flips"),

@@ -24,7 +24,7 @@ pub struct InitialPairing<'t> {
 
 impl<'t> InitialPairing<'t> {
     /// Pairs the triangles of `triangulation` itself by `pair`.
-    pub(super) fn from_input(
+    pub(crate) fn from_input(
         triangulation: &'t Triangulation,
         pair: impl FnOnce(&DualGraph) -> Matching,
     ) -> Self {

@@ -30,7 +30,7 @@ pub(super) fn pair_edges(graph: &DualGraph, random: &mut Shuffler) -> Matching {
 }
 
 /// Lists each edge once, as 3 f + i where side `i` of triangle `f` is the lower of its two sides.
-fn edges_of(graph: &DualGraph) -> Vec<u32> {
+pub(super) fn edges_of(graph: &DualGraph) -> Vec<u32> {
     let mut edges = Vec::with_capacity(graph.len() * 3 / 2);
     for f in graph.triangles() {
         for (side, g) in graph.sides_or_none(f).into_iter().enumerate() {

@@ -7,6 +7,7 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use super::mismatch::Mismatch;
 use crate::mesh::{Faces, Mesh};
 use crate::parallel::{collect, join, map, ranges};
 
@@ -25,89 +26,6 @@ pub struct CheckReport {
     pub degree_two_vertices: usize,
     /// Vertices - edges + faces, the same as that of the triangles.
     pub euler_characteristic: i64,
-}
-
-/// The first defect found of a quad mesh. Displayed numbers count from 1, stored ones from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "kebab-case")
-)]
-#[non_exhaustive]
-pub enum Mismatch {
-    /// The triangle mesh has a face that is not a triangle, or names a missing vertex.
-    #[error("face {} of the triangle mesh is no triangle of existing vertices", .0 + 1)]
-    BadTriangle(usize),
-    /// The numbers of vertices differ.
-    #[error("the quad mesh has {quads} vertices, the triangle mesh {triangles}")]
-    VertexCount {
-        /// Vertices of the quad mesh.
-        quads: usize,
-        /// Vertices of the triangle mesh.
-        triangles: usize,
-    },
-    /// The triangulation has not as many vertices as the mesh whose surface it should triangulate.
-    #[error("the triangulation has {paired} vertices, the triangle mesh {given}")]
-    TriangulationVertexCount {
-        /// Vertices of the triangulation whose triangles were paired.
-        paired: usize,
-        /// Vertices of the triangle mesh given.
-        given: usize,
-    },
-    /// A vertex has moved.
-    #[error("vertex {} has other coordinates than in the triangle mesh", .0 + 1)]
-    Moved(usize),
-    /// A face does not have four corners that exist.
-    #[error("face {} is no quadrilateral of existing vertices", .0 + 1)]
-    NotAQuad(usize),
-    /// A face has neither three nor four corners that exist.
-    #[error("face {} is neither a triangle nor a quadrilateral of existing vertices", .0 + 1)]
-    NotATriangleOrQuad(usize),
-    /// A face of three corners is no triangle of the triangle mesh.
-    #[error("face {} is no triangle of the triangle mesh", .0 + 1)]
-    NotATriangle(usize),
-    /// A face is turned against the triangles that it consists of.
-    #[error("face {} is turned against the triangles that it covers", .0 + 1)]
-    Turned(usize),
-    /// A face has a corner twice.
-    #[error("face {} repeats a corner", .0 + 1)]
-    RepeatedCorner(usize),
-    /// Two faces of one of the meshes pass an edge in the same direction.
-    #[error("edge {}-{} is passed twice in the same direction", .0 + 1, .1 + 1)]
-    EdgeTwice(u32, u32),
-    /// An edge is passed in one direction only.
-    #[error("edge {}-{} belongs to one quad only", .0 + 1, .1 + 1)]
-    EdgeOpen(u32, u32),
-    /// A quad is passed in the other direction than the triangles inside it.
-    #[error("quad {} has the opposite orientation of its two triangles", .0 + 1)]
-    Reversed(usize),
-    /// A quad is not the union of two triangles across their common edge.
-    #[error("quad {} is not two triangles of the triangle mesh joined across an edge", .0 + 1)]
-    NotAPair(usize),
-    /// A triangle lies in two faces.
-    #[error("triangle {} lies in two faces", .0 + 1)]
-    TriangleTwice(usize),
-    /// A triangle lies in no face.
-    #[error("triangle {} lies in no face", .0 + 1)]
-    TriangleUnused(usize),
-    /// A vertex is used in one mesh only.
-    #[error("vertex {} is used in one of the meshes only", .0 + 1)]
-    VertexUse(usize),
-    /// The quads round a vertex form more than one fan.
-    #[error("the quads round vertex {} form several fans", .0 + 1)]
-    Fans(usize),
-    /// A component has other vertices or another number of triangles.
-    #[error("the component of vertex {} has other vertices or another genus", .0 + 1)]
-    Component(usize),
-    /// The Euler characteristics differ.
-    #[error("the Euler characteristic is {quads}, that of the triangle mesh {triangles}")]
-    EulerCharacteristic {
-        /// That of the quad mesh.
-        quads: i64,
-        /// That of the triangle mesh.
-        triangles: i64,
-    },
 }
 
 /// Checks that `quads` is a quadrangulation of the surface that `triangles` triangulates.

@@ -3,7 +3,8 @@
 //! Triangles are found by their three vertices, in a sorted list. So the surfaces may have a
 //! boundary and may be one-sided.
 
-use super::check::{CheckReport, Mismatch, check_positions, require_arity};
+use super::check::{CheckReport, check_positions, require_arity};
+use super::mismatch::Mismatch;
 use crate::dual::Matching;
 use crate::mesh::{Faces, Mesh};
 use crate::triangulation::TriangleId;

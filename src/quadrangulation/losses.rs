@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::edge_ends::corners_at_ends;
 use super::edge_quad::quad_corners;
 use crate::mesh::{Attributes, CornerIndices, TextList};
 use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
@@ -134,12 +135,7 @@ impl<'m> Changes<'m> {
         counter: impl Fn(&mut Border) -> &mut usize,
     ) {
         let Some(twin) = surface.across(side) else { return };
-        let mut theirs = [twin.next(), twin];
-        if surface.origin(side) == surface.origin(twin) {
-            theirs.reverse(); // The sides of a one-sided surface may lead the same way.
-        }
-        // The corners of both triangles at each end of the edge.
-        let ends = [[side, theirs[0]], [side.next(), theirs[1]]].map(|pair| pair.map(corner));
+        let ends = corners_at_ends(surface, [side, twin]).map(|pair| pair.map(corner));
         let Attributes { texture_coordinates, normals, corner_texture, corner_normal, .. } =
             self.attributes;
         let [one, other] = [side, twin].map(|side| self.state(side.triangle()));

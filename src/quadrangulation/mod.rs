@@ -1,12 +1,51 @@
 //! The last stage: a quadrilateral for every pair of triangles (Lemos et al., section 2).
+//!
+//! # Examples
+//!
+//! A pair of triangles, the shape of its quad, and the check of a whole mesh:
+//!
+//! ```
+//! use triquad::mesh::{Faces, Mesh};
+//! use triquad::quadrangulation::quality::{Quality, scaled_jacobian};
+//!
+//! let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+//! assert_eq!(scaled_jacobian(square), 1.0);
+//! let quads = Mesh::new(square.to_vec(), Faces::uniform(4, vec![0, 1, 2, 3]));
+//! assert_eq!(Quality::new(&quads).folded, 0);
+//! ```
+//!
+//! Edges to keep, and costs of edges:
+//!
+//! ```
+//! use triquad::quadrangulation::{DefaultCost, EdgeQuad, Keep, edge_costs};
+//! use triquad::triangulation::HalfEdgeId;
+//! use triquad::{Mesh, Triangulation};
+//!
+//! let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+//! let mesh = Mesh::from_triangles(corners, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+//! let surface = Triangulation::build(&mesh)?;
+//! let mut keep = Keep::default();
+//! keep.sharp = Some(80.0);
+//! assert_eq!(keep.find(&surface, &mesh).expect("no edge is listed").len(), 6);
+//! let costs = edge_costs(&surface, mesh.positions(), &DefaultCost);
+//! assert_eq!(costs.len(), surface.triangle_count());
+//! let quad = EdgeQuad::across(&surface, mesh.positions(), HalfEdgeId::new(0));
+//! assert!(quad.fold_cosine() < 0.1);
+//! # Ok::<(), Box<triquad::Survey>>(())
+//! ```
+//!
+//! The checks have examples where they stand. What [`Converter`](crate::Converter) calls has no
+//! examples of its own: attributes that are carried over, listed costs, losses.
 
 mod check;
 mod check_mixed;
 mod cost;
+mod edge_ends;
 mod edge_quad;
 mod keep;
 mod listed_costs;
 mod losses;
+mod mismatch;
 mod mixed;
 pub mod quality;
 mod retriangulation;
@@ -18,7 +57,7 @@ use crate::mesh::{Attributes, CornerIndices, FaceSection, Faces, Mesh};
 use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexId};
 
 pub(crate) use check::check_faces;
-pub use check::{CheckReport, Mismatch, check};
+pub use check::{CheckReport, check};
 pub(crate) use check_mixed::check_mixed_faces;
 pub use check_mixed::{MixedCheck, check_mixed};
 pub use cost::{Cost, DefaultCost, ShapeCost, edge_costs};
@@ -27,6 +66,7 @@ use edge_quad::quad_corners;
 pub use keep::{Keep, NoSuchEdge};
 pub use listed_costs::{CostCountError, listed_costs};
 pub use losses::{AttributeLosses, Border};
+pub use mismatch::Mismatch;
 pub use mixed::MixedFaces;
 pub(crate) use retriangulation::check_retriangulated_faces;
 pub use retriangulation::{check_retriangulation, common_edges};
@@ -82,8 +122,8 @@ impl Quadrangulation {
         &self.corners
     }
 
-    /// Makes the faces over the vertices of the triangulation. O(n).
-    pub fn faces(&self) -> Faces {
+    /// Returns the quads as faces over the vertices of the triangulation. O(n).
+    pub fn to_faces(&self) -> Faces {
         Faces::uniform(4, self.corners.as_flattened().iter().map(|vertex| vertex.0).collect())
     }
 

@@ -19,6 +19,8 @@ pub struct Quality {
     pub minimum: f64,
     /// The mean of all; 0 if there is no quad.
     pub mean: f64,
+    /// The greatest of the worst 1 % of the quads, rounded up; 0 if there is no quad.
+    pub one_percent: f64,
     /// Number of quads folded or not convex, those of scaled Jacobian 0 and less.
     pub folded: usize,
     /// Number of quads in each class: class i has those from i / 10 - 1 to (i + 1) / 10 - 1.
@@ -31,21 +33,27 @@ impl Quality {
     /// # Panics
     /// If such a face names a vertex that does not exist.
     pub fn new(mesh: &Mesh) -> Self {
+        let values = collect(mesh.faces().len(), |face| value(mesh, face));
+        Self::of(values.into_iter().flatten().collect())
+    }
+
+    /// Describes these values. They are added up in order, on any number of threads.
+    fn of(mut values: Vec<f64>) -> Self {
         let mut histogram = [0; CLASSES];
-        let (mut least, mut sum, mut count, mut folded) = (f64::INFINITY, 0.0, 0, 0);
-        // The values are added up in the order of the faces, on any number of threads.
-        for value in collect(mesh.faces().len(), |face| value(mesh, face)).into_iter().flatten() {
+        let (mut minimum, mut sum, mut folded) = (f64::INFINITY, 0.0, 0);
+        for &value in &values {
             let class = ((value + 1.0) * (CLASSES as f64 / 2.0)) as usize;
             histogram[class.min(CLASSES - 1)] += 1;
             folded += usize::from(value <= 0.0);
-            least = least.min(value);
+            minimum = minimum.min(value);
             sum += value;
-            count += 1;
         }
-        if count == 0 {
-            return Self { minimum: 0.0, mean: 0.0, folded, histogram };
+        if values.is_empty() {
+            return Self { minimum: 0.0, mean: 0.0, one_percent: 0.0, folded, histogram };
         }
-        Self { minimum: least, mean: sum / f64::from(count), folded, histogram }
+        let (mean, worst) = (sum / values.len() as f64, values.len().div_ceil(100));
+        let (_, &mut one_percent, _) = values.select_nth_unstable_by(worst - 1, f64::total_cmp);
+        Self { minimum, mean, one_percent, folded, histogram }
     }
 }
 
@@ -138,8 +146,21 @@ mod tests {
         let quality = Quality::new(&Mesh::new(positions, faces));
         let mut histogram = [0; CLASSES];
         (histogram[19], histogram[10]) = (1, 1);
-        assert_eq!(quality, Quality { minimum: 0.0, mean: 0.5, folded: 1, histogram });
+        let expected = Quality { minimum: 0.0, mean: 0.5, one_percent: 0.0, folded: 1, histogram };
+        assert_eq!(quality, expected);
         let none = Quality::new(&Mesh::default());
-        assert_eq!((none.minimum, none.mean), (0.0, 0.0));
+        assert_eq!((none.minimum, none.mean, none.one_percent), (0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn the_worst_hundredth_ends_at_one_percent() {
+        let of = |count: usize| {
+            // Every value from 1 / count to 1, in another order.
+            Quality::of((0..count).map(|i| (7 * i % count + 1) as f64 / count as f64).collect())
+        };
+        let cases = [(1, 1.0), (2, 0.5), (100, 0.01), (101, 2.0 / 101.0), (1000, 0.01)];
+        for (count, expected) in cases {
+            assert_eq!(of(count).one_percent, expected, "{count}");
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! A check that one triangle mesh triangulates the same surface as another, from the two alone.
 
-use super::check::{Mismatch, check_positions, require_arity};
+use super::check::{check_positions, require_arity};
+use super::mismatch::Mismatch;
 use crate::disjoint_sets::DisjointSets;
 use crate::mesh::{Faces, Mesh};
 

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::edge_ends::corners_at_ends;
 use crate::mesh::{Attributes, Mesh, TextList};
 use crate::triangulation::{HalfEdgeId, Surface};
 
@@ -32,11 +33,9 @@ impl<'m> Seams<'m> {
             let index = self.attributes.corner_texture.get(h.index());
             index.map(|index| self.texture[index as usize])
         };
-        let mut theirs = [twin, twin.next()];
-        if surface.origin(side) != surface.origin(twin) {
-            theirs.reverse();
-        }
-        section(side) != section(twin) || [side, side.next()].map(texture) != theirs.map(texture)
+        let has_seam = |[one, other]: [HalfEdgeId; 2]| texture(one) != texture(other);
+        section(side) != section(twin)
+            || corners_at_ends(surface, [side, twin]).into_iter().any(has_seam)
     }
 }
 

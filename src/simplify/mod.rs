@@ -6,6 +6,8 @@
 //! Edges wait in a tournament tree. A contraction prices the edges of the vertex that it leaves
 //! anew; an edge that is refused for its triangles or degrees waits behind all others until
 //! something changes near it, or until nothing better is left.
+//!
+//! [`Simplifier`] has an example. The functions of its parts have no examples of their own.
 
 mod key;
 mod placement;

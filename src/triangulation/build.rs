@@ -33,14 +33,14 @@ impl Triangulation {
         })
     }
 
-    /// Builds like [`Triangulation::build`]. With `flip_faces`, faces of `list` are flipped first
-    /// if their orientation is all that is wrong.
+    /// Flips faces of `list` if their orientation is all that is wrong, and builds like
+    /// [`Triangulation::build`].
     ///
     /// # Errors
     /// As for [`Triangulation::build`].
-    pub fn build_oriented(list: &mut Mesh, flip_faces: bool) -> Result<Self, Box<Survey>> {
+    pub fn build_oriented(list: &mut Mesh) -> Result<Self, Box<Survey>> {
         match Self::build(list) {
-            Err(survey) if flip_faces && survey.only_orientation_is_wrong() => {
+            Err(survey) if survey.only_orientation_is_wrong() => {
                 survey.orient(list);
                 Self::build(list)
             }

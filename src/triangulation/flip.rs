@@ -147,7 +147,7 @@ mod tests {
                 let [.., (from, to), _] = turned.flip(at);
                 assert_eq!(from, at);
                 at = to;
-                let list = octahedron.clone().with_faces(turned.faces());
+                let list = octahedron.clone().with_faces(turned.to_faces());
                 // The other diagonal joins two opposite corners of the octahedron.
                 assert_eq!(Triangulation::build(&list).unwrap(), turned, "{quarter}");
             }

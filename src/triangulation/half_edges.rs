@@ -50,7 +50,7 @@ impl Triangulation {
     }
 
     /// Returns the corners of all triangles as faces over the vertices. O(n).
-    pub fn faces(&self) -> Faces {
+    pub fn to_faces(&self) -> Faces {
         Faces::uniform(3, self.sides.as_slice().iter().map(|side| side.origin.0).collect())
     }
 

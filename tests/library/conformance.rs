@@ -4,8 +4,11 @@ use std::collections::{HashMap, HashSet};
 
 use proptest::prelude::*;
 use triquad::clock::SteppingClock;
+use triquad::dual::{DualGraph, Matching};
 use triquad::mesh::{Faces, Mesh};
-use triquad::pairing::{LRS_ORDER, lrs};
+use triquad::pairing::{LRS_ORDER, lrs, velho};
+use triquad::random::Random;
+use triquad::triangulation::HalfEdgeId;
 use triquad::{
     Algorithm, Augmentation, Converter, Expansion, Mismatch, Quadrangulated, Quadrangulation,
     Triangulation, check, check_retriangulation,
@@ -116,7 +119,7 @@ fn assert_converts(surface: &Surface, settings: &Settings) {
     let triangulation = Triangulation::build(&list).unwrap();
     let conversion = settings.converter().quadrangulate(&triangulation).unwrap();
     let quads = corners(&conversion.quadrangulation);
-    let paired = list.clone().with_faces(conversion.triangulation.faces());
+    let paired = list.clone().with_faces(conversion.triangulation.to_faces());
     assert_quadrangulation(&paired, &quads);
     assert_same_surface(&conversion, &triangulation, &paired, &list);
     let degree_two = {
@@ -142,6 +145,46 @@ fn every_algorithm_quadrangulates_special_surfaces() {
     for (_, surface) in crate::common::special_surfaces() {
         all_settings(0).for_each(|settings| assert_converts(&surface, &settings));
     }
+}
+
+/// The definition: the longest edge between unpaired triangles, the first of equal ones, again and
+/// again. Coordinates are on a coarse lattice, so that many lengths are equal.
+#[test]
+fn velho_takes_the_longest_free_edge() {
+    let mut equal_lengths = 0;
+    for (seed, (_, surface)) in crate::common::many_surfaces(20).enumerate() {
+        let mut random = Random::stream(seed as u64, &["lattice"]);
+        let mut coordinate = || f64::from(random.below(4));
+        let points: Vec<[f64; 3]> =
+            surface.positions.iter().map(|_| [(); 3].map(|()| coordinate())).collect();
+        let list = Mesh::from_triangles(points.clone(), surface.triangles.clone());
+        let triangulation = Triangulation::build(&list).unwrap();
+        let dual = DualGraph::new(&triangulation);
+        let length = |h: HalfEdgeId| -> f64 {
+            let [a, b] = [h, h.next()].map(|h| points[triangulation.origin(h).index()]);
+            (0..3).map(|i| (a[i] - b[i]).powi(2)).sum()
+        };
+        let mut expected = Matching::empty(dual.len());
+        let sides: Vec<HalfEdgeId> =
+            triangulation.triangles().flat_map(|f| f.half_edges()).collect();
+        loop {
+            let mut best: Option<HalfEdgeId> = None;
+            for &h in &sides {
+                let pair = [h.triangle(), triangulation.twin(h).triangle()];
+                let is_free = pair[0] < pair[1] && pair.iter().all(|&f| !expected.is_paired(f));
+                equal_lengths += usize::from(best.is_some_and(|b| length(b) == length(h)));
+                if is_free && best.is_none_or(|best| length(h) > length(best)) {
+                    best = Some(h);
+                }
+            }
+            let Some(h) = best else { break };
+            expected.pair(h.triangle(), triangulation.twin(h).triangle());
+        }
+        assert_eq!(velho(&dual, length), expected, "seed {seed}");
+        let report = Converter::new().algorithm(Algorithm::Velho).run(&list).unwrap();
+        assert_eq!(report.report().unpaired_triangles, expected.unpaired_count());
+    }
+    assert!(equal_lengths > 1_000, "{equal_lengths}");
 }
 
 #[test]

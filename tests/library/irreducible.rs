@@ -7,10 +7,10 @@ use triquad::Mesh;
 use triquad::Triangulation;
 use triquad::irreducible::{Contractor, Discipline, Irreducible, Order, ramaswami_siqueira};
 use triquad::random::Random;
-use triquad::triangulation::{HalfEdgeId, ShrinkingTriangulation, TriangleId, VertexId};
+use triquad::triangulation::{HalfEdgeId, LinkMarks, ShrinkingTriangulation, TriangleId, VertexId};
 use triquad_generators::box_mesh::{BoxShape, PaperBox, Walls};
 use triquad_generators::random::{Mix, random_surface};
-use triquad_generators::{Surface, classic, grids};
+use triquad_generators::{Surface, classic, grids, organic, worst_cases};
 
 fn build(surface: &Surface) -> Triangulation {
     Triangulation::build(&crate::common::face_list(surface)).unwrap()
@@ -91,6 +91,23 @@ fn assert_counts(t: &Triangulation, contractor: Contractor, result: &Irreducible
         // Each edge of the tetrahedron from both ends, and hardly any other.
         assert!((6..=9).contains(&repeated), "{what}: {repeated}");
         assert!((t.vertex_count() + 8..=t.vertex_count() + 40).contains(&tests), "{what}: {tests}");
+    }
+}
+
+/// Figure 6: sides of the polygon and edges to the apexes, as long as nothing is contracted.
+#[test]
+fn only_the_edges_of_the_bipyramid_cannot_be_contracted() {
+    for m in 4..10 {
+        let list = crate::common::face_list(&classic::starred_bipyramid(m));
+        let built = Triangulation::build(&list).unwrap();
+        assert_eq!((built.vertex_count(), built.genus()), (3 * m as usize + 2, 0));
+        let k = ShrinkingTriangulation::from(built.clone());
+        let mut marks = LinkMarks::new(built.vertex_count());
+        for h in (0..2 * built.edge_count()).map(HalfEdgeId::new) {
+            let has_centre =
+                [h, h.next()].iter().any(|&h| built.origin(h).index() >= 2 + m as usize);
+            assert_eq!(k.is_contractible(h, &mut marks), has_centre, "{m}: {h:?}");
+        }
     }
 }
 
@@ -295,6 +312,33 @@ fn high_degrees_and_long_tubes_take_linear_time() {
         }
         let result = Contractor::Schipper.reduce(t.clone(), Order::File, 0);
         assert_irreducible(&t, &result, name);
+    }
+}
+
+fn link_vertices(surface: &Surface) -> u64 {
+    let result = Contractor::RamaswamiSiqueira.reduce(build(surface), Order::File, 0);
+    result.counts.link_vertices_visited
+}
+
+#[test]
+fn high_genus_costs_no_more_than_low_where_degrees_are_low() {
+    let mut random = Random::stream(1, &["handles"]);
+    for genus in [0, 25, 100] {
+        let surface = organic::surface(genus, 6 * genus.max(100), &mut |bound| random.below(bound));
+        let triangles = surface.triangles.len() as u64;
+        let visited = link_vertices(&surface);
+        assert!(visited <= 8 * triangles, "genus {genus}: {visited} for {triangles} triangles");
+    }
+}
+
+/// The bound O(g² + g n) is reached: each of the 5 g edges at the pole is tested once, from its
+/// other end.
+#[test]
+fn a_vertex_of_degree_5_g_costs_its_degree_for_every_edge_there() {
+    for genus in [10, 40, 160] {
+        let visited = link_vertices(&worst_cases::tori_round_a_pole(genus));
+        let square = u64::from(5 * genus).pow(2);
+        assert!((square / 2..=2 * square).contains(&visited), "genus {genus}: {visited}");
     }
 }
 

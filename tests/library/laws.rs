@@ -193,7 +193,7 @@ fn a_large_irregular_mesh_is_oriented_with_the_fewest_flips() {
     let survey = survey(&list);
     assert!(survey.only_orientation_is_wrong());
     assert_eq!(survey.faces_to_flip, wrong);
-    let triangulation = Triangulation::build_oriented(&mut list, true).unwrap();
+    let triangulation = Triangulation::build_oriented(&mut list).unwrap();
     assert_eq!(triangulation.genus(), 1);
     assert_eq!(list, crate::common::face_list(&grids::torus(40, 30)));
 }

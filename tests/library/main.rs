@@ -7,6 +7,7 @@ mod contraction;
 #[cfg(feature = "files")]
 mod dialects;
 mod dynamic;
+mod examples;
 #[cfg(feature = "files")]
 mod formats;
 mod irreducible;

@@ -45,11 +45,11 @@ fn write_certificate(out: &mut impl Write, certificate: &Certificate) -> io::Res
     let number = |set: u32| if set == NONE { 0 } else { u64::from(set) + 1 };
     writeln!(out, "triangles {}", certificate.potentials.len())?;
     for (triangle, &set) in certificate.innermost.iter().enumerate() {
-        writeln!(out, "{} {}", certificate.potentials.get(triangle), number(set))?;
+        writeln!(out, "{} {}", certificate.potentials.at(triangle), number(set))?;
     }
     writeln!(out, "sets {}", certificate.set_count())?;
     for (set, &parent) in certificate.parents.iter().enumerate() {
-        writeln!(out, "{} {}", number(parent), certificate.values.get(set))?;
+        writeln!(out, "{} {}", number(parent), certificate.values.at(set))?;
     }
     Ok(())
 }

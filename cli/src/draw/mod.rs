@@ -34,9 +34,10 @@ pub struct Arguments {
     /// The picture, a .png file; '-' for standard output
     #[arg(short, long, value_name = "OUT.png")]
     output: Option<PathBuf>,
-    /// Draw this mesh too, on the left and from the same side: the triangles that quads come from
-    #[arg(long, value_name = "TRIANGLES")]
-    against: Option<PathBuf>,
+    /// Draw this mesh too, on the left and from the same side: the triangles that quads come from,
+    /// or quads of another origin. May be given more than once, from left to right
+    #[arg(long, value_name = "MESH")]
+    against: Vec<PathBuf>,
     /// Meaning of colours: quality (of quads: light blue is square, yellow is askew, orange is
     /// nearly folded, red is folded) or none
     #[arg(long, visible_alias = "color", default_value = "quality", value_name = "NAME")]
@@ -112,8 +113,10 @@ impl Arguments {
         to_file: bool,
     ) -> Result<Image, Failure> {
         let edges = self.edges.map_or(to_file, |edges| edges == Switch::On);
-        let scene = Scene {
-            width: width / meshes.len(),
+        let count = meshes.len();
+        let scene = |place: usize| Scene {
+            // All together have the whole width.
+            width: (place + 1) * width / count - place * width / count,
             height,
             camera: self.camera(),
             lines: Lines { edges, ..Lines::default() },
@@ -121,10 +124,10 @@ impl Arguments {
             by_quality: self.colour == Colour::Quality,
             background: to_file.then_some([255; 3]),
         };
-        let draw = |(path, mesh): &(&Path, Mesh)| {
-            scene.draw(mesh).map_err(|error| self.failure(path, &error))
+        let draw = |(place, (path, mesh)): (usize, &(&Path, Mesh))| {
+            scene(place).draw(mesh).map_err(|error| self.failure(path, &error))
         };
-        let images: Vec<Image> = meshes.iter().map(draw).collect::<Result<_, _>>()?;
+        let images: Vec<Image> = meshes.iter().enumerate().map(draw).collect::<Result<_, _>>()?;
         Ok(scene::beside(&images))
     }
 

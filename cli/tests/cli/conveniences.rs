@@ -67,6 +67,7 @@ fn pictures_have_the_size_asked_for_and_differ_by_what_they_show() {
         "--zoom 2",
         "--section 0 0 0 0 -1 0.5",
         "--against ring.obj",
+        "--against ring.obj --against quads.obj",
     ]
     .iter()
     .enumerate()

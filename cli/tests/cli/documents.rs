@@ -11,6 +11,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 /// A fenced block of a document.
 struct Block {
@@ -20,7 +21,8 @@ struct Block {
     text: String,
 }
 
-fn root() -> PathBuf {
+/// The folder of the repository.
+pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().unwrap()
 }
 
@@ -54,23 +56,47 @@ fn blocks(document: &str) -> Vec<Block> {
     blocks
 }
 
-/// Runs the blocks of a document in `folder`; returns how many commands ran, or what went wrong.
-fn run(document: &str, folder: &Path) -> Result<usize, String> {
-    let (mut printed, mut count) = (String::new(), 0);
+/// Runs the blocks of a document in `folder`; returns what each prints, or what went wrong.
+fn run(document: &str, folder: &Path) -> Result<Vec<String>, String> {
+    let mut printed = Vec::<String>::new();
     for block in blocks(document) {
         match block.info.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-            ["sh"] => {
-                printed = shell(&block.text, folder)?;
-                count += 1;
-            }
-            ["text", "output"] if !shows(&block.text, &printed) => {
-                return Err(format!("expected\n{}\nprinted\n{printed}", block.text));
+            ["sh"] => printed.push(shell(&block.text, folder)?),
+            ["text", "output"] => {
+                let last = printed.last().map_or("", String::as_str);
+                if !shows(&block.text, last) {
+                    return Err(format!("expected\n{}\nprinted\n{last}", block.text));
+                }
             }
             ["csv" | "toml", name] => std::fs::write(folder.join(name), &block.text).unwrap(),
             _ => {}
         }
     }
-    Ok(count)
+    Ok(printed)
+}
+
+/// A document whose commands were run.
+pub struct DocumentRun {
+    pub path: PathBuf,
+    pub text: String,
+    /// Output of each block of commands.
+    pub printed: Vec<String>,
+    /// The reason why the commands ended early.
+    failure: Option<String>,
+}
+
+/// Runs the commands of all documents, once for all tests.
+pub fn runs() -> &'static [DocumentRun] {
+    static RUNS: OnceLock<Vec<DocumentRun>> = OnceLock::new();
+    let run_one = |path: PathBuf| {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let (printed, failure) = match run(&text, clone().path()) {
+            Ok(printed) => (printed, None),
+            Err(failure) => (Vec::new(), Some(failure)),
+        };
+        DocumentRun { path, text, printed, failure }
+    };
+    RUNS.get_or_init(|| documents().into_iter().map(run_one).collect())
 }
 
 /// Runs a script that ends with its first failing command; returns all that it prints.
@@ -117,14 +143,10 @@ fn clone() -> tempfile::TempDir {
 
 #[test]
 fn every_command_in_the_documents_works() {
-    let mut commands = 0;
-    for path in documents() {
-        let document = std::fs::read_to_string(&path).unwrap();
-        match run(&document, clone().path()) {
-            Ok(count) => commands += count,
-            Err(error) => panic!("{}: {error}", path.display()),
-        }
+    for DocumentRun { path, failure, .. } in runs() {
+        assert!(failure.is_none(), "{}: {}", path.display(), failure.as_deref().unwrap_or(""));
     }
+    let commands: usize = runs().iter().map(|run| run.printed.len()).sum();
     assert!(commands > 10, "only {commands} blocks");
 }
 

@@ -1,11 +1,19 @@
 //! Tests of the program `triquad`, as a user calls it.
 
 mod aims;
+mod cases_of_arguments;
+mod cases_of_readers;
 mod conveniences;
 mod defective_meshes;
 #[cfg(unix)]
 mod documents;
 mod experiments;
+#[cfg(unix)]
+mod kills;
+#[cfg(target_os = "linux")]
+mod limits;
+#[cfg(unix)]
+mod numbers;
 mod open;
 mod own_results;
 #[path = "../../../lab/tests/lab/records.rs"]

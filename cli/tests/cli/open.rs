@@ -33,7 +33,7 @@ fn an_open_surface_is_converted_on_request() {
     let line = workshop.fail("convert in.obj -o out.obj", 2);
     assert_contains(&line, &["in.obj", "boundary-edge", "--open"], "refusal");
     let mut fewest = None;
-    for algorithm in ["best", "tq", "ps", "sg"] {
+    for algorithm in ["best", "tq", "ps", "sg", "velho"] {
         let options = format!("--open --algorithm {algorithm} -o out.obj --stats -");
         let stats = workshop.json(&format!("convert in.obj {options}"), 0);
         let left = stats["leftover_triangles"].as_u64().unwrap();
@@ -148,4 +148,42 @@ fn triangles_are_no_quads_of_a_closed_surface_unless_they_may_be_left() {
     workshop.succeed("check out.obj --against in.obj");
     let line = workshop.fail("convert --quad-dominant in.obj", 2);
     assert_contains(&line, &["price"], "a name for a price");
+}
+
+/// Numbers that `convert` and `check` both print.
+const SHARED: [&str; 8] = [
+    "quads",
+    "degree_two_vertices",
+    "quality_minimum",
+    "quality_mean",
+    "quality_histogram",
+    "folded_quads",
+    "sharp_edges",
+    "sharp_edges_kept",
+];
+
+#[test]
+fn the_check_measures_from_the_files_what_the_conversion_has_measured() {
+    let workshop = Workshop::new();
+    workshop.put_mesh("open.obj", &sphere_with_holes());
+    workshop.put_surface("closed.obj", &grids::sphere(6));
+    let cases = [
+        ("open.obj", "--open --algorithm ps", ""),
+        ("closed.obj", "--algorithm best", ""),
+        ("closed.obj", "--quad-dominant 0.05", "--open"),
+        ("closed.obj", "--algorithm lrs --write-triangulation k.obj", "--triangulation k.obj"),
+    ];
+    for (mesh, convert, check) in cases {
+        let told = workshop.json(&format!("convert {mesh} {convert} -o quads.obj --stats -"), 0);
+        let check = format!("check quads.obj --against {mesh} {check} --stats -");
+        let measured = workshop.json(&check, 0);
+        for name in SHARED {
+            assert_eq!(measured[name], told[name], "{convert}: {name}");
+        }
+        let left = told["leftover_triangles"].as_u64().unwrap_or(0);
+        assert_eq!(measured["leftover_triangles"], left);
+        assert!(measured["quality_one_percent"].as_f64() >= measured["quality_minimum"].as_f64());
+    }
+    workshop.fail("check closed.obj --against closed.obj --stats wrong.json", 1);
+    assert!(!workshop.path("wrong.json").exists());
 }

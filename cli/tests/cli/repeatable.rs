@@ -12,6 +12,7 @@ pub fn repeatable(record: &RunRecord) -> RunRecord {
         total_seconds: None,
         seconds: None,
         check_seconds: None,
+        shuffle_seconds: None,
         peak_memory_bytes: None,
         ..record.measured.clone()
     };

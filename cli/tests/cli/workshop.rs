@@ -124,3 +124,10 @@ pub fn assert_contains(line: &str, parts: &[&str], what: &str) {
         assert!(line.contains(part), "{what}: '{part}' is not in '{}'", line.trim_end());
     }
 }
+
+/// Fails unless an object has these fields.
+pub fn assert_has_fields(json: &Value, fields: &[&str]) {
+    for field in fields {
+        assert!(json.get(field).is_some(), "no field {field} in {json}");
+    }
+}

@@ -103,6 +103,11 @@ fn name_of(path: &Path) -> String {
 }
 
 impl DataMesh {
+    /// Reads a file under the name that it has without endings.
+    pub fn of_file(path: PathBuf) -> Self {
+        Self::read(name_of(&path), path)
+    }
+
     fn read(name: String, path: PathBuf) -> Self {
         let sha256 = hash_of_file(&path).unwrap_or_default();
         let mut mesh =

@@ -1,12 +1,9 @@
 //! One run of a program that is not ours: found, run, checked.
 
-use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serde_json::{Map, Value};
-use triquad::Mesh;
 use triquad::clock::Clock;
 
 use super::machine::{hash_of_file, hash_of_words};
@@ -14,9 +11,9 @@ use super::measured::Measured;
 use super::process::{self, Ending};
 use super::program_spec::{Places, ProgramSpec};
 use super::record::{Outcome, RunRecord};
+use super::result_file::{confirmed, measure};
 use super::spec::Limits;
 use super::task::Task;
-use super::verification::verify;
 
 /// A program as it is on this machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -163,13 +160,9 @@ impl ProgramRun<'_> {
             Err(reason) => return RunRecord { outcome: Outcome::Crash, reason, ..record },
         };
         let invalid = |reason| RunRecord { outcome: Outcome::Invalid, reason, ..record.clone() };
-        let [input, result] = match self.meshes(places) {
-            Ok(meshes) => meshes,
-            Err(reason) => return invalid(reason),
-        };
-        let verified = match verify(self.spec.task, &input, &result) {
+        let verified = match measure(self.spec.task, places.mesh, places.result) {
             Ok(verified) => verified,
-            Err(error) => return invalid(format!("its result: {error}")),
+            Err(reason) => return invalid(reason),
         };
         let counts = |of: &Measured| [of.vertices, of.triangles, of.genus];
         if counts(&verified) != counts(&planned) {
@@ -191,30 +184,13 @@ impl ProgramRun<'_> {
         own.map_err(|error| format!("its statistics cannot be read: {error}"))
     }
 
-    /// Reads input and result.
-    fn meshes(&self, Places { mesh, result, .. }: Places<'_>) -> Result<[Mesh; 2], String> {
-        let input = Mesh::read(mesh).map_err(|error| format!("its input: {error}"))?;
-        let left = result.file_name().map(OsStr::to_string_lossy).unwrap_or_default();
-        if !result.exists() {
-            return Err(format!("it ended well and left no result {left}"));
-        }
-        let result = Mesh::read(result).map_err(|error| format!("its result {left}: {error}"))?;
-        Ok([input, result])
-    }
-
     /// Puts together what the program has of itself, what the check has counted and what was
     /// measured from outside.
     fn numbers(&self, own: Measured, verified: Measured, ending: &Ending, wall: f64) -> Measured {
-        let is_perfect = verified.unpaired_triangles == Some(0);
-        // Column (c) is that of the first stage, which a perfect result does not show.
-        let first_stage = own.unpaired_triangles.filter(|_| is_perfect);
-        let percent = own.paired_percent.filter(|_| first_stage.is_some());
         let parts = own.pairing_seconds.zip(own.augmentation_seconds);
         let total =
             own.total_seconds.or(parts.map(|(pairing, augmentation)| pairing + augmentation));
-        let mut numbers = overlaid(&own, &verified);
-        numbers.unpaired_triangles = first_stage.or(numbers.unpaired_triangles);
-        numbers.paired_percent = percent.or(numbers.paired_percent);
+        let mut numbers = confirmed(&own, &verified);
         match self.spec.task {
             Task::Convert => numbers.total_seconds = total.or(Some(wall)),
             Task::Irreducible => numbers.seconds = own.seconds.or(Some(wall)),
@@ -222,17 +198,4 @@ impl ProgramRun<'_> {
         numbers.peak_memory_bytes = own.peak_memory_bytes.or(ending.peak_memory_bytes);
         numbers
     }
-}
-
-/// Returns `below` with the numbers of `above` in place of its own.
-fn overlaid(below: &Measured, above: &Measured) -> Measured {
-    let fields = |of: &Measured| -> Map<String, Value> {
-        let Ok(Value::Object(fields)) = serde_json::to_value(of) else {
-            unreachable!("a structure is an object")
-        };
-        fields.into_iter().filter(|(_, value)| !value.is_null()).collect()
-    };
-    let mut all = fields(below);
-    all.extend(fields(above));
-    serde_json::from_value(Value::Object(all)).expect("both have these fields")
 }

@@ -59,6 +59,10 @@ impl FolderLock {
     /// Another process has it locked, or those of the file system.
     pub fn take(folder: &Path) -> Result<Self, FolderLockError> {
         let failure = |error| FolderLockError::Io { folder: folder.to_owned(), error };
+        if folder.exists() && !folder.is_dir() {
+            let problem = "is a file, not a folder";
+            return Err(failure(io::Error::new(io::ErrorKind::NotADirectory, problem)));
+        }
         std::fs::create_dir_all(folder).map_err(failure)?;
         let path = folder.join(LOCK);
         refuse_link(&path).map_err(failure)?;

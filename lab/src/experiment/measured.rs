@@ -1,6 +1,7 @@
 //! The numbers that a run measures of itself: the same in its JSON, in its record and in claims.
 
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 /// Numbers of a run, times in seconds; `None` where it has no such number.
 ///
@@ -67,6 +68,39 @@ pub struct Measured {
     pub check_seconds: Option<f64>,
     /// Most memory of the process at once.
     pub peak_memory_bytes: Option<u64>,
+
+    /// Vertices of links that RS, S or BF went over.
+    pub link_vertices_visited: Option<u64>,
+    /// Sum of `d_u · d_v` over the tests of edges `uv`: the cost of tests without marks.
+    pub degree_products: Option<u64>,
+    /// The part of `pairing_seconds` that is the shuffle of SG or PS.
+    pub shuffle_seconds: Option<f64>,
+
+    /// Greatest scaled Jacobian of the worst 1 % of the quads.
+    pub quality_one_percent: Option<f64>,
+    /// Quads of scaled Jacobian 0 and less.
+    pub folded_quads: Option<u64>,
+    /// Edges at which the surface bends by more than 30 degrees.
+    pub sharp_edges: Option<u64>,
+    /// Those of them that no quad lies across.
+    pub sharp_edges_kept: Option<u64>,
+    /// Vertices at which two quads share two sides.
+    pub degree_two_vertices: Option<u64>,
+}
+
+impl Measured {
+    /// Returns these numbers with those of `above` in place of their own.
+    pub(super) fn overlaid(&self, above: &Self) -> Self {
+        let fields = |of: &Self| -> Map<String, Value> {
+            let Ok(Value::Object(fields)) = serde_json::to_value(of) else {
+                unreachable!("a structure is an object")
+            };
+            fields.into_iter().filter(|(_, value)| !value.is_null()).collect()
+        };
+        let mut all = fields(self);
+        all.extend(fields(above));
+        serde_json::from_value(Value::Object(all)).expect("both have these fields")
+    }
 }
 
 /// Numbers that a run prints with `--stats`, as far as records have it.

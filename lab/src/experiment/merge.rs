@@ -15,9 +15,17 @@ pub enum MergeError {
     /// Another process writes into the folder for all of them.
     #[error(transparent)]
     Lock(#[from] FolderLockError),
-    /// A folder cannot be read or written.
+    /// A folder cannot be read.
     #[error(transparent)]
     Results(#[from] ResultsError),
+    /// The folder for all of them cannot be written.
+    #[error("{}: {error}", out.display())]
+    Write {
+        /// The folder.
+        out: PathBuf,
+        /// The reason of the file system.
+        error: io::Error,
+    },
 }
 
 /// Merges the rows of all `folders` into `out`: of the same run done twice, the last that ended
@@ -37,7 +45,7 @@ pub fn merge(folders: &[PathBuf], out: &Path) -> Result<Results, MergeError> {
         merge_plans(&mut merged.planned, part.planned);
         merged.machines.extend(part.machines);
     }
-    let failure = |error: io::Error| ResultsError { path: out.to_owned(), error };
+    let failure = |error: io::Error| MergeError::Write { out: out.to_owned(), error };
     write_results(out, &merged).map_err(failure)?;
     copy_pictures(folders, out).map_err(failure)?;
     Ok(merged)

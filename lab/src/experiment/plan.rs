@@ -1,12 +1,11 @@
 //! From experiment files to their runs, in the order in which they are executed.
 
 use std::collections::BTreeSet;
-
 use std::sync::Arc;
 
 use super::data_folder::DataMesh;
 use super::job::Job;
-use super::planned_mesh::{PlannedMesh, Source};
+use super::planned_mesh::{MissingMeshError, PlannedMesh, Source};
 use super::program_spec::ProgramSpec;
 use super::results::Planned;
 use super::run_id::{MeshId, RunId};
@@ -38,6 +37,8 @@ pub struct Block {
     pub repetition: u32,
     /// When a run is stopped.
     pub limits: Limits,
+    /// True if our algorithms leave files, from which they are measured.
+    pub measured_from_files: bool,
     /// The jobs.
     pub runs: Vec<PlannedRun>,
     /// The programs of the experiment that are not ours.
@@ -57,14 +58,6 @@ pub struct PlannedRun {
     pub stop_after_paths: Option<u64>,
 }
 
-/// A name that is neither a mesh of the papers nor a file in a data folder.
-#[derive(Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{experiment}: {name:?} is no mesh of the papers and in no data folder")]
-pub struct UnknownMeshError {
-    experiment: String,
-    name: String,
-}
-
 impl Plan {
     /// Plans the runs of `experiments`, on the meshes of `data` where a name fits.
     ///
@@ -77,12 +70,14 @@ impl Plan {
         experiments: &[Experiment],
         scale: Scale,
         data: &[DataMesh],
-    ) -> Result<Self, UnknownMeshError> {
+    ) -> Result<Self, MissingMeshError> {
         let mut plan =
             Self { scale, blocks: Vec::new(), pictured: Vec::new(), remarks: Vec::new() };
+        let groups = experiments.iter().flat_map(|experiment| &experiment.groups);
+        let named: Vec<&String> = groups.flat_map(|group| &group.meshes).collect();
         for experiment in experiments {
             for group in &experiment.groups {
-                plan.add_group(experiment, group, data)?;
+                plan.add_group(experiment, group, data, &named)?;
             }
             if let Some(name) = &experiment.pictures {
                 let named = plan.blocks.iter().find(|block| block.mesh.name == *name);
@@ -102,15 +97,20 @@ impl Plan {
         experiment: &Experiment,
         group: &MeshGroup,
         data: &[DataMesh],
-    ) -> Result<(), UnknownMeshError> {
+        named: &[&String],
+    ) -> Result<(), MissingMeshError> {
         let mut meshes = Vec::new();
         for name in &group.meshes {
             let mesh = self.find_mesh(name, data);
             meshes.push(mesh.ok_or_else(|| unknown(experiment, name))?);
         }
+        for path in &group.files {
+            meshes.push(PlannedMesh::of_file(&experiment.name, path)?);
+        }
         if group.other_data && self.scale == Scale::Full {
-            let named = meshes.clone();
-            meshes.extend(self.other_data(data).into_iter().filter(|mesh| !named.contains(mesh)));
+            let own: Vec<String> = meshes.iter().map(|mesh| mesh.name.clone()).collect();
+            let others = self.other_data(data, named).into_iter();
+            meshes.extend(others.filter(|mesh| !own.contains(&mesh.name)));
         }
         meshes.sort_by_key(|mesh| mesh.triangles);
         for mesh in meshes {
@@ -159,13 +159,15 @@ impl Plan {
         self.remarks.push(format!("--data: not used: {}; {why}", unused.join(", ")));
     }
 
-    /// Returns the meshes of `data` that are none of the papers'.
-    fn other_data(&mut self, data: &[DataMesh]) -> Vec<PlannedMesh> {
-        let is_paper = |mesh: &DataMesh| {
-            paper::ALL.iter().any(|paper| mesh.is_called(paper.name) && mesh.has_counts_of(paper))
+    /// Returns the meshes of `data` that are none of the papers' meshes `named`.
+    fn other_data(&mut self, data: &[DataMesh], named: &[&String]) -> Vec<PlannedMesh> {
+        let is_named = |mesh: &DataMesh| {
+            let papers =
+                paper::ALL.iter().filter(|paper| named.iter().any(|&name| name == paper.name));
+            papers.into_iter().any(|paper| mesh.is_called(paper.name) && mesh.has_counts_of(paper))
         };
         let mut meshes = Vec::new();
-        for mesh in data.iter().filter(|&mesh| !is_paper(mesh)) {
+        for mesh in data.iter().filter(|&mesh| !is_named(mesh)) {
             match &mesh.problem {
                 None => meshes.push(PlannedMesh::real(mesh)),
                 Some(problem) => {
@@ -204,6 +206,7 @@ impl Plan {
                 mesh: mesh.clone(),
                 repetition,
                 limits: experiment.limits,
+                measured_from_files: experiment.measured_from_files,
                 runs,
                 programs: experiment.programs.as_slice().into(),
             });
@@ -238,14 +241,19 @@ impl Block {
         RunId { mesh: self.id.clone(), job: run.job }
     }
 
+    /// Returns whether a run of an algorithm of ours leaves a file.
+    pub fn leaves_file(&self, run: &PlannedRun) -> bool {
+        self.measured_from_files && run.stop_after_paths.is_none()
+    }
+
     /// Returns the program of a job that is not ours.
     pub fn program(&self, job: Job) -> Option<&ProgramSpec> {
         self.programs.iter().find(|program| job == program.job())
     }
 }
 
-fn unknown(experiment: &Experiment, name: &str) -> UnknownMeshError {
-    UnknownMeshError { experiment: experiment.name.clone(), name: name.into() }
+fn unknown(experiment: &Experiment, name: &str) -> MissingMeshError {
+    MissingMeshError::Unknown { experiment: experiment.name.clone(), name: name.into() }
 }
 
 /// Returns the seed of a run. It depends on names alone and is the same for each augmentation, so
@@ -374,12 +382,18 @@ mod tests {
         assert_eq!(Plan::new(&twice, Scale::Full, &data).unwrap().remarks, plan.remarks);
         let plan = Plan::new(&experiments, Scale::Demo, &data).unwrap();
         assert_eq!(plan.blocks[0].mesh.kind(), MeshKind::StandIn);
+        // Where no experiment names it, it is one of the others.
+        let others = experiment(&more.replace("\"botijo\"", ""));
+        let plan = Plan::new(&[others], Scale::Full, &data).unwrap();
+        assert!(plan.blocks.iter().any(|block| block.mesh.name == "Botijo_scan"));
     }
 
     #[test]
     fn an_unknown_mesh_is_named() {
         let unknown = experiment(&GROUPS.replace("A5", "A9"));
         let error = Plan::new(&[unknown], Scale::Full, &[]).unwrap_err();
-        assert_eq!(error.to_string(), "x: \"A9\" is no mesh of the papers and in no data folder");
+        let expected = "x: \"A9\" is no mesh of the papers and in no data folder; name its folder \
+                        with --data, or take it out";
+        assert_eq!(error.to_string(), expected);
     }
 }

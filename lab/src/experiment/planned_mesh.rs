@@ -1,6 +1,6 @@
 //! A mesh that is planned to be run: its counts, and where it comes from.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::data_folder::DataMesh;
 use crate::meshes::MeshKind;
@@ -30,7 +30,48 @@ pub enum Source {
     Made(PaperMesh, Scale),
 }
 
+/// A mesh of an experiment that is not at hand.
+#[derive(Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MissingMeshError {
+    /// A name is neither that of a mesh of the papers nor that of a file in a data folder.
+    #[error(
+        "{experiment}: {name:?} is no mesh of the papers and in no data folder; name its folder \
+         with --data, or take it out"
+    )]
+    Unknown {
+        /// The experiment.
+        experiment: String,
+        /// The name.
+        name: String,
+    },
+    /// A file that an experiment names is no mesh that can be converted.
+    #[error("{experiment}: {}: {problem}", path.display())]
+    File {
+        /// The experiment.
+        experiment: String,
+        /// The file.
+        path: PathBuf,
+        /// The fault.
+        problem: String,
+    },
+}
+
 impl PlannedMesh {
+    /// Reads the mesh that an experiment names by its file.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no mesh that can be converted.
+    pub fn of_file(experiment: &str, path: &Path) -> Result<Self, MissingMeshError> {
+        let mesh = DataMesh::of_file(path.to_owned());
+        match mesh.problem {
+            None => Ok(Self::real(&mesh)),
+            Some(problem) => {
+                let (experiment, path) = (experiment.to_owned(), path.to_owned());
+                Err(MissingMeshError::File { experiment, path, problem })
+            }
+        }
+    }
+
     /// Returns the mesh of a file.
     pub fn real(mesh: &DataMesh) -> Self {
         Self {

@@ -6,17 +6,16 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-use super::command_line::{arguments, command};
-use super::completion::complete;
+use super::command_line::command;
 use super::estimate::run_seconds;
 use super::external::{Installed, NotInstalledError, ProgramRun};
 use super::journal::Journal;
 use super::machine::{self, hash_of_words};
 use super::measured::Measured;
+use super::own_run::OwnRun;
 use super::plan::{Block, Plan, PlannedRun};
 use super::planned_mesh::{PlannedMesh, Source};
-use super::process;
-use super::program_spec::ProgramSpec;
+use super::program_spec::ProgramFormat;
 use super::record::{Outcome, RunRecord, SCHEMA};
 use super::workshop::{AtHand, MeshFile, Workshop};
 use crate::whole_file;
@@ -187,8 +186,12 @@ impl<C: Clock + Sync> Execution<'_, C> {
             }
         };
         std::thread::scope(|scope| {
-            let workers: Vec<_> = (0..self.runner.jobs).map(|_| scope.spawn(work)).collect();
-            workers.into_iter().try_for_each(|worker| worker.join().expect("a worker panicked"))
+            // Those that the system does not grant are done without.
+            let start = |_| std::thread::Builder::new().spawn_scoped(scope, work).ok();
+            let helpers: Vec<_> = (1..self.runner.jobs).filter_map(start).collect();
+            let here = work();
+            let others = helpers.into_iter().map(|helper| helper.join().expect("it panicked"));
+            others.fold(here, io::Result::and)
         })
     }
 
@@ -206,33 +209,27 @@ impl<C: Clock + Sync> Execution<'_, C> {
         file: &MeshFile,
         workshop: &Workshop,
     ) -> io::Result<RunRecord> {
-        if let Some(spec) = block.program(run.job) {
-            return self.run_program(record, block, spec, file, workshop);
-        }
-        let arguments = arguments(&file.path, run);
-        let (ending, process_seconds) =
-            self.clock.time(|| process::run(&self.runner.program, &arguments, block.limits));
-        Ok(complete(RunRecord { process_seconds, ..record }, ending?, &block.mesh))
-    }
-
-    fn run_program(
-        &self,
-        record: RunRecord,
-        block: &Block,
-        spec: &ProgramSpec,
-        file: &MeshFile,
-        workshop: &Workshop,
-    ) -> io::Result<RunRecord> {
-        let mesh = match workshop.in_format(&file.path, spec.format) {
-            Ok(mesh) => mesh,
-            Err(error) => {
+        let program = block.program(run.job);
+        let format = match program {
+            Some(program) => Some(program.format),
+            None => block.leaves_file(run).then(ProgramFormat::default),
+        };
+        let mesh = match format.map(|format| workshop.in_format(&file.path, format)) {
+            None => file.path.clone(),
+            Some(Ok(mesh)) => mesh,
+            Some(Err(error)) => {
                 let (outcome, reason) = (Outcome::Crash, error.to_string());
                 return Ok(RunRecord { outcome, reason, ..record });
             }
         };
-        let (ours, limits) = (self.runner.program.as_path(), block.limits);
-        let workshop = workshop.folder();
-        ProgramRun { spec, ours, mesh: &mesh, workshop, limits }.execute(record, self.clock)
+        let (ours, mesh, workshop) = (self.runner.program.as_path(), &*mesh, workshop.folder());
+        let limits = block.limits;
+        match program {
+            Some(spec) => {
+                ProgramRun { spec, ours, mesh, workshop, limits }.execute(record, self.clock)
+            }
+            None => OwnRun { ours, block, run, mesh, workshop }.execute(record, self.clock),
+        }
     }
 
     /// Returns why a run is skipped: its program is not installed, or its job timed out on a
@@ -289,7 +286,11 @@ impl<C: Clock + Sync> Execution<'_, C> {
             // The program fixes its bytes.
             Source::Made(made, _) => made.recipe.key(),
         };
-        let stop = run.stop_after_paths.map_or(String::new(), |paths| paths.to_string());
+        let how = match run.stop_after_paths {
+            Some(paths) => paths.to_string(),
+            None if block.leaves_file(run) => "measured from its file".into(),
+            None => String::new(),
+        };
         let program = match self.installed(block, run) {
             None => &self.runner.program_hash,
             Some(Ok(installed)) => &installed.hash,
@@ -306,7 +307,7 @@ impl<C: Clock + Sync> Execution<'_, C> {
             &run.job.name(),
             &block.repetition.to_string(),
             &run.seed.to_string(),
-            &stop,
+            &how,
             &block.limits.timeout_seconds.to_string(),
             &block.limits.memory_gigabytes.to_string(),
         ])

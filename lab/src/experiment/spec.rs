@@ -14,6 +14,7 @@
 //! [[group]]
 //! name = "scans"
 //! meshes = ["botijo", "eros"]             # of the papers, or files in a data folder
+//! files = ["plate.obj.gz"]                # beside the experiment file
 //!
 //! [[group.run]]
 //! algorithms = ["sg", "lrs few-flips"]
@@ -27,13 +28,13 @@
 //! [`program_spec`](super::program_spec).
 
 use std::collections::BTreeMap;
-use std::io;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
 use super::job::{self, Job, UnknownNameError};
 use super::program_spec::{ProgramSpec, ProgramSpecError};
+use super::spec_error::{SpecError, SpecFileError};
 use super::task::Task;
 use crate::meshes::paper::Scale;
 
@@ -51,6 +52,10 @@ pub struct Experiment {
     pub seed: u64,
     /// The mesh whose results are drawn.
     pub pictures: Option<String>,
+    /// True if our algorithms are measured as programs of others are: from the file of the mesh to
+    /// that of the result, which is checked and measured by the lab.
+    #[serde(default)]
+    pub measured_from_files: bool,
     /// When a run is stopped.
     pub limits: Limits,
     /// Programs that are not ours, to be named among the algorithms.
@@ -80,6 +85,9 @@ pub struct MeshGroup {
     /// Names of meshes, in any order.
     #[serde(default)]
     pub meshes: Vec<String>,
+    /// Mesh files, their paths relative to the experiment file, at every scale.
+    #[serde(default)]
+    pub files: Vec<PathBuf>,
     /// True if every other mesh in the data folders belongs to it.
     #[serde(default)]
     pub other_data: bool,
@@ -122,57 +130,6 @@ pub struct Repetitions {
     pub demo: u32,
 }
 
-/// Fault of an experiment file.
-#[derive(Debug, thiserror::Error)]
-#[error("{}: {error}", path.display())]
-pub struct SpecFileError {
-    path: PathBuf,
-    error: SpecError,
-}
-
-/// Fault of an experiment.
-#[derive(Debug, thiserror::Error)]
-pub enum SpecError {
-    /// The file cannot be read.
-    #[error(transparent)]
-    Io(#[from] io::Error),
-    /// The text is not what an experiment file is.
-    #[error("line {line}: {message}")]
-    Syntax {
-        /// Line, from 1.
-        line: usize,
-        /// Message of the TOML parser.
-        message: String,
-    },
-    /// A name is not known.
-    #[error(transparent)]
-    UnknownName(#[from] UnknownNameError),
-    /// A program is described badly.
-    #[error(transparent)]
-    Program(#[from] ProgramSpecError),
-    /// A limit leaves no room for a run.
-    #[error("{name} = {value}: a limit must be from 1 to {most}")]
-    Limit {
-        /// The limit.
-        name: &'static str,
-        /// Its value.
-        value: u64,
-        /// The greatest value.
-        most: u64,
-    },
-    /// A name would break the lines of `runs.csv`.
-    #[error("the name {0:?} is empty or has a line break or another control character")]
-    Name(String),
-    /// A run has nothing to do.
-    #[error("a run of {algorithms:?} needs algorithms and {list}")]
-    NothingToRun {
-        /// The algorithms that it names.
-        algorithms: Vec<String>,
-        /// The list that is missing if the algorithms are not.
-        list: &'static str,
-    },
-}
-
 impl Experiment {
     /// Reads the file at `path`.
     ///
@@ -184,6 +141,8 @@ impl Experiment {
             let here = path.parent().filter(|folder| !folder.as_os_str().is_empty());
             let here = here.unwrap_or(Path::new(".")).to_owned();
             experiment.programs.iter_mut().for_each(|program| program.here.clone_from(&here));
+            let files = experiment.groups.iter_mut().flat_map(|group| &mut group.files);
+            files.for_each(|file| *file = here.join(&*file));
             experiment
         });
         read.map_err(|error| SpecFileError { path: path.to_owned(), error })
@@ -213,24 +172,58 @@ impl Experiment {
                 return Err(ProgramSpecError::Twice(program.name.clone()).into());
             }
         }
-        let mut runs = self.groups.iter().flat_map(|group| &group.runs);
-        runs.try_for_each(|run| run.jobs(self.task, &self.programs).map(|_| ()))
+        self.groups.iter().try_for_each(|group| group.check(self.task, &self.programs))
     }
+}
+
+impl MeshGroup {
+    /// Checks that every job is known and named once, and not repeated without end.
+    fn check(&self, task: Task, programs: &[ProgramSpec]) -> Result<(), SpecError> {
+        let mut known: Vec<Job> = Vec::new();
+        for run in &self.runs {
+            run.check_numbers()?;
+            for job in run.jobs(task, programs)? {
+                if known.contains(&job) {
+                    return Err(SpecError::Twice { group: self.name.clone(), job: job.name() });
+                }
+                known.push(job);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Greatest number of repetitions: each is a row in memory for every job and mesh.
+const MOST_REPETITIONS: u64 = 10_000;
+
+/// Checks that a number is from 1 to `most`.
+fn check_number(name: &'static str, value: u64, most: u64) -> Result<(), SpecError> {
+    let is_within = (1..=most).contains(&value);
+    is_within.then_some(()).ok_or(SpecError::Limit { name, value, most })
 }
 
 impl Limits {
     /// Checks that a run has some time and memory, and no more than numbers can say.
     fn check(self) -> Result<(), SpecError> {
-        let limits = [
-            ("timeout_seconds", self.timeout_seconds, 1_000_000_000),
-            ("memory_gigabytes", self.memory_gigabytes, 1_000_000),
-        ];
-        let bad = limits.into_iter().find(|&(_, value, most)| !(1..=most).contains(&value));
-        bad.map_or(Ok(()), |(name, value, most)| Err(SpecError::Limit { name, value, most }))
+        check_number("timeout_seconds", self.timeout_seconds, 1_000_000_000)?;
+        check_number("memory_gigabytes", self.memory_gigabytes, 1_000_000)
     }
 }
 
 impl RunSpec {
+    /// Checks that everything is done at full scale, and no more often than rows can be kept of.
+    fn check_numbers(&self) -> Result<(), SpecError> {
+        let Repetitions { full, small, demo } = self.repetitions;
+        let fewer = self.fewer.values().map(|&fewer| ("fewer", fewer));
+        // None at a smaller scale leaves the run out there.
+        let smaller =
+            [("small", small), ("demo", demo)].into_iter().filter(|&(_, often)| often > 0);
+        let mut all = [("full", full)].into_iter().chain(smaller).chain(fewer);
+        all.try_for_each(|(name, often)| check_number(name, often.into(), MOST_REPETITIONS))?;
+        let mut paths = self.stop_after_paths.values();
+        paths.try_for_each(|&paths| check_number("stop_after_paths", paths, u64::from(u32::MAX)))
+    }
+
     /// Returns the jobs: every algorithm in every way, every program once.
     pub(super) fn jobs(&self, task: Task, programs: &[ProgramSpec]) -> Result<Vec<Job>, SpecError> {
         let mut jobs = Vec::new();
@@ -356,7 +349,8 @@ mod tests {
         };
         assert!(problem("seed = 1", "seed = -1").starts_with("line 5: "));
         assert!(problem("seed", "sed").contains("unknown field `sed`"));
-        let unknown = "\"pss\" is none of best, tq, sg, ps, ds, gw, lrs; the nearest is \"ps\"";
+        let unknown =
+            "\"pss\" is none of best, tq, sg, velho, ps, ds, gw, lrs; the nearest is \"ps\"";
         assert_eq!(problem("\"ps\"", "\"pss\""), unknown);
         assert!(problem("few-flips", "none").starts_with("\"none\" is none of printed, few-flips"));
         assert!(problem("\"local\"", "\"far\"").starts_with("\"far\" is none of local, tarjan"));
@@ -365,6 +359,13 @@ mod tests {
             problem("memory_gigabytes = 2", "memory_gigabytes = 36028797018963968")
                 .contains("1000000")
         );
+        assert!(problem("demo = 2", "demo = 4294967295").contains("from 1 to 10000"));
+        let without_demo = Experiment::parse(&TEXT.replace("demo = 2", "demo = 0")).unwrap();
+        assert_eq!(without_demo.groups[0].runs[0].repetitions("A1", Scale::Demo), 0);
+        assert!(problem("{ A1 = 3 }", "{ A1 = 0 }").starts_with("fewer = 0: "));
+        assert!(problem("{ A1 = 7 }", "{ A1 = 0 }").starts_with("stop_after_paths = 0: "));
+        let twice = problem("\"ps\"", "\"ps\", \"lrs few-flips\"");
+        assert!(twice.starts_with("group \"g\" names lrs few-flips tarjan twice"), "{twice}");
         assert!(problem("name = \"g\"", "name = \"g\\nh\"").contains("control character"));
         let nothing = problem("augmentations = [\"tarjan\", \"local\"]", "orders = [\"file\"]");
         assert!(nothing.contains("needs algorithms and augmentations"), "{nothing}");

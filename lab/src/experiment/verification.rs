@@ -1,15 +1,21 @@
-//! A check of what a program that is not ours has made, and the counts of it.
+//! A check of the result of a run, and its counts and shape: from the two meshes alone.
 //!
 //! A conversion may leave triangles: each must be one of the input, each quad two of them, and
 //! together they must cover the input once. A result without triangles passes [`triquad::check`]
-//! too, as the quads of `triquad convert` do.
+//! too, as the quads of `triquad convert` do. Such a result may also consist of pairs of triangles
+//! of another triangulation of the surface, as that of LRS; then the edges flipped are counted.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use triquad::irreducible::{IrreducibleError, check_irreducible};
 use triquad::quadrangulation::quality::Quality;
-use triquad::{Mesh, Mismatch, Survey, Triangulation, check};
+use triquad::quadrangulation::{SharpEdges, check_mixed};
+use triquad::triangulation::{HalfEdgeId, Surface};
+use triquad::{
+    CheckReport, Mesh, Mismatch, Survey, Triangulation, check, check_retriangulation, common_edges,
+};
 
+use super::flips;
 use super::measured::Measured;
 use super::task::Task;
 
@@ -19,27 +25,7 @@ pub enum ResultError {
     /// The input is no triangulation.
     #[error("its input is no triangulation: {0}")]
     Input(Box<Survey>),
-    /// It has other vertices than the input.
-    #[error("it has {result} vertices, its input {input}")]
-    VertexCount {
-        /// Vertices of the result.
-        result: usize,
-        /// Vertices of the input.
-        input: usize,
-    },
-    /// A vertex has moved.
-    #[error("vertex {} has other coordinates than in its input", .0 + 1)]
-    Moved(usize),
-    /// A face is neither a triangle of the input nor two that share an edge.
-    #[error("face {} is neither a triangle of its input nor two that share an edge", .0 + 1)]
-    Foreign(usize),
-    /// A face covers what another one covers.
-    #[error("face {} covers a triangle of its input that another face covers", .0 + 1)]
-    Twice(usize),
-    /// A triangle of the input is not covered.
-    #[error("triangle {} of its input is not covered", .0 + 1)]
-    Uncovered(usize),
-    /// It is not what quads of this surface are.
+    /// It is no pairing of the input's triangles.
     #[error(transparent)]
     Quads(#[from] Mismatch),
     /// It is no irreducible triangulation of the surface.
@@ -53,7 +39,7 @@ pub enum ResultError {
 /// The first defect found.
 ///
 /// # Cost
-/// O(n) time and memory on average.
+/// O(n log n) time, O(n) memory.
 pub fn verify(task: Task, input: &Mesh, result: &Mesh) -> Result<Measured, ResultError> {
     let built = Triangulation::build(input).map_err(ResultError::Input)?;
     let counts = Measured {
@@ -65,7 +51,7 @@ pub fn verify(task: Task, input: &Mesh, result: &Mesh) -> Result<Measured, Resul
         ..Measured::default()
     };
     match task {
-        Task::Convert => verify_quads(input, result, counts),
+        Task::Convert => verify_quads(&built, input, result, counts),
         Task::Irreducible => verify_reduced(&built, result, counts),
     }
 }
@@ -87,106 +73,68 @@ fn verify_reduced(
     })
 }
 
-fn verify_quads(input: &Mesh, result: &Mesh, counts: Measured) -> Result<Measured, ResultError> {
-    same_vertices(input, result)?;
-    let left = cover(input, result)?;
-    if left == 0 {
+fn verify_quads(
+    surface: &Triangulation,
+    input: &Mesh,
+    result: &Mesh,
+    counts: Measured,
+) -> Result<Measured, ResultError> {
+    let (report, flips) = match check_mixed(result, input) {
+        Ok(checked) => (checked.report, 0),
+        Err(mismatch) => check_flipped(input, result).ok_or(mismatch)?,
+    };
+    let (quads, left) = (report.quads, report.triangles);
+    if left == 0 && flips == 0 {
         check(result, input)?;
     }
     let triangles = input.faces().len();
-    let quality = Quality::new(result);
-    let quads = (result.faces().len() - left) as u64;
+    let sharp = SharpEdges::new(surface, input.positions(), &removed(surface, result));
+    let shape = (quads > 0).then(|| Quality::new(result));
     Ok(Measured {
-        quads: Some(quads),
+        quads: Some(quads as u64),
         unpaired_triangles: Some(left as u64),
         paired_percent: Some(100.0 * (triangles - left) as f64 / triangles as f64),
-        edge_flips: Some(0),
-        quality_minimum: (quads > 0).then_some(quality.minimum),
-        quality_mean: (quads > 0).then_some(quality.mean),
+        edge_flips: Some(flips as u64),
+        quality_minimum: shape.map(|shape| shape.minimum),
+        quality_mean: shape.map(|shape| shape.mean),
+        quality_one_percent: shape.map(|shape| shape.one_percent),
+        folded_quads: shape.map(|shape| shape.folded as u64),
+        sharp_edges: Some(sharp.all as u64),
+        sharp_edges_kept: Some(sharp.kept as u64),
+        degree_two_vertices: Some(report.degree_two_vertices as u64),
         ..counts
     })
 }
 
-fn same_vertices(input: &Mesh, result: &Mesh) -> Result<(), ResultError> {
-    let (ours, given) = (result.positions(), input.positions());
-    if ours.len() != given.len() {
-        return Err(ResultError::VertexCount { result: ours.len(), input: given.len() });
+/// Checks quads as pairs of triangles of another triangulation of the surface of `input`; returns
+/// their counts and how many of its edges `input` does not have.
+fn check_flipped(input: &Mesh, result: &Mesh) -> Option<(CheckReport, usize)> {
+    if result.faces().iter().any(|face| face.len() != 4) {
+        return None;
     }
-    let moved = (0..ours.len()).find(|&v| ours[v] != given[v]);
-    moved.map_or(Ok(()), |v| Err(ResultError::Moved(v)))
+    let paired = flips::cut(result, input);
+    Triangulation::build(&paired).ok()?;
+    check_retriangulation(&paired, input).ok()?;
+    let report = check(result, &paired).ok()?;
+    let (common, all) = common_edges(&paired, input);
+    Some((report, all - common))
 }
 
-/// Triangles of a mesh by their corners, and which of them are covered.
-struct Cover {
-    places: HashMap<[u32; 3], usize>,
-    is_covered: Vec<bool>,
-}
-
-/// Returns the number of faces of `result` that are triangles, if its faces cover `input` once.
-fn cover(input: &Mesh, result: &Mesh) -> Result<usize, ResultError> {
-    let triangles =
-        input.faces().into_iter().enumerate().filter_map(|(place, face)| {
-            Some((first_least(*<&[u32; 3]>::try_from(face).ok()?), place))
-        });
-    let places = triangles.collect();
-    let mut cover = Cover { places, is_covered: vec![false; input.faces().len()] };
-    let mut left = 0;
-    for (place, face) in result.faces().into_iter().enumerate() {
-        let own = match *face {
-            [a, b, c] => {
-                left += 1;
-                cover.free(&[[a, b, c]])
-            }
-            [a, b, c, d] => cover
-                .free(&[[a, b, c], [c, d, a]])
-                .or_else(|fault| cover.free(&[[b, c, d], [d, a, b]]).map_err(|_| fault)),
-            _ => Err(Fault::Foreign),
-        };
-        match own {
-            Ok(own) => own.into_iter().for_each(|triangle| cover.is_covered[triangle] = true),
-            Err(Fault::Foreign) => return Err(ResultError::Foreign(place)),
-            Err(Fault::Twice) => return Err(ResultError::Twice(place)),
-        }
-    }
-    let uncovered = cover.is_covered.iter().position(|&is_covered| !is_covered);
-    uncovered.map_or(Ok(left), |triangle| Err(ResultError::Uncovered(triangle)))
-}
-
-/// Fault of a face.
-enum Fault {
-    Foreign,
-    Twice,
-}
-
-impl Cover {
-    /// Returns the places of triangles of the input, if these are all of them and none is covered.
-    fn free(&self, triangles: &[[u32; 3]]) -> Result<Vec<usize>, Fault> {
-        let find = |&triangle: &[u32; 3]| self.places.get(&first_least(triangle)).copied();
-        let found: Option<Vec<usize>> = triangles.iter().map(find).collect();
-        let found = found.ok_or(Fault::Foreign)?;
-        if found.iter().any(|&triangle| self.is_covered[triangle]) {
-            return Err(Fault::Twice);
-        }
-        Ok(found)
-    }
-}
-
-/// Turns a triangle until its least corner is first.
-fn first_least([a, b, c]: [u32; 3]) -> [u32; 3] {
-    if a < b && a < c {
-        [a, b, c]
-    } else if b < c {
-        [b, c, a]
-    } else {
-        [c, a, b]
-    }
+/// Returns the edges of the surface that `result` does not have.
+fn removed(surface: &Triangulation, result: &Mesh) -> Vec<HalfEdgeId> {
+    let left = flips::edges(result);
+    let is_removed = |&side: &HalfEdgeId| {
+        let [u, v] = surface.ends(side).map(u32::from);
+        !left.contains(&flips::sorted(u, v))
+    };
+    surface.edges().filter(is_removed).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use triquad::mesh::Faces;
-    use triquad::{Converter, Mesh};
+    use triquad::{Algorithm, Converter, Expansion, Mesh};
     use triquad_generators::grids;
 
     fn input() -> Mesh {
@@ -217,7 +165,21 @@ mod tests {
         let unpaired = input().faces().into_iter().map(<[u32]>::to_vec).collect::<Vec<_>>();
         let none = verify(Task::Convert, &input(), &with_faces(&unpaired)).unwrap();
         assert_eq!((none.unpaired_triangles, none.quads), (Some(126), Some(0)));
-        assert_eq!(none.quality_mean, None);
+        assert_eq!((none.quality_mean, none.folded_quads), (None, None));
+        assert_eq!(none.sharp_edges, none.sharp_edges_kept);
+    }
+
+    #[test]
+    fn quads_of_another_triangulation_are_counted_with_their_flips() {
+        let algorithm = Algorithm::Lrs(Expansion::Printed);
+        let converted = Converter::new().algorithm(algorithm).run(input()).unwrap();
+        let flips = converted.report().edge_flips;
+        let found = verify(Task::Convert, &input(), converted.mesh()).unwrap();
+        assert!(flips > 0 && found.edge_flips > Some(0), "{found:?}");
+        // An edge that was flipped and removed afterwards does not show.
+        assert!(found.edge_flips <= Some(flips as u64));
+        assert_eq!((found.unpaired_triangles, found.quads), (Some(0), Some(63)));
+        assert!(found.sharp_edges_kept < found.sharp_edges);
     }
 
     #[test]
@@ -228,10 +190,10 @@ mod tests {
             change(&mut faces);
             verify(Task::Convert, &input(), &with_faces(&faces)).unwrap_err().to_string()
         };
-        assert!(fault(&|faces| drop(faces.pop())).contains("is not covered"));
-        assert!(fault(&|faces| faces.push(faces[0].clone())).contains("that another face covers"));
-        assert!(fault(&|faces| faces[3].reverse()).starts_with("face 4 is neither"));
-        assert!(fault(&|faces| faces[3].swap(0, 1)).starts_with("face 4 is neither"));
+        assert!(fault(&|faces| drop(faces.pop())).contains("lies in no face"));
+        assert!(fault(&|faces| faces.push(faces[0].clone())).contains("lies in two faces"));
+        assert!(fault(&|faces| faces[3].reverse()).starts_with("face 4 is turned"));
+        assert!(fault(&|faces| faces[3].swap(0, 1)).starts_with("quad 4 is not two"));
         assert!(fault(&|faces| faces[3].push(0)).starts_with("face 4 is neither"));
         let moved = input().positions().iter().map(|&[x, y, z]| [x, y, z + 1e-9]).collect();
         let moved = Mesh::from_triangles(moved, Vec::new());

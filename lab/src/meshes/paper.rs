@@ -90,6 +90,19 @@ const fn box_recipe(shape: PaperBox) -> Recipe {
     Recipe::PaperBox { shape, walls: Walls::Alternating, seed: 0 }
 }
 
+const fn with_walls(name: &'static str, walls: Walls) -> PaperMesh {
+    PaperMesh {
+        recipe: Recipe::PaperBox { shape: A1, walls, seed: 0 },
+        ..a_box(name, 2_097_150, 0)
+    }
+}
+
+/// A mesh of the family of Figure 6, with a name of ours.
+const fn figure_6(name: &'static str, sides: u32) -> PaperMesh {
+    let recipe = Recipe::StarredBipyramid { sides };
+    PaperMesh { name, genus: 0, vertices: 3 * sides + 2, recipe }
+}
+
 const fn simplified(name: &'static str, of: PaperBox, vertices: u32) -> PaperMesh {
     PaperMesh { name, genus: of.holes, vertices, recipe: Recipe::SimplifiedBox { of, vertices } }
 }
@@ -99,7 +112,7 @@ const fn scan(name: &'static str, vertices: u32, genus: u32) -> PaperMesh {
 }
 
 /// Every mesh of both papers; equal ones under each of their names.
-pub const ALL: [PaperMesh; 49] = [
+pub const ALL: [PaperMesh; 55] = [
     // Table 4.1 and Table 2.
     scan("armadillo", 171_889, 0),
     scan("botijo", 20_000, 5),
@@ -155,6 +168,14 @@ pub const ALL: [PaperMesh; 49] = [
     a_box("ir-D7", 2_097_350, 100),
     a_box("ir-D8", 2_097_250, 50),
     a_box("ir-D9", 2_097_170, 10),
+    // Figure 6.
+    figure_6("ir-F1", 1_000),
+    figure_6("ir-F2", 4_000),
+    figure_6("ir-F3", 16_000),
+    // A1 with other diagonals, which no count determines.
+    with_walls("A1-equal", Walls::Equal),
+    with_walls("A1-paired", Walls::Paired),
+    with_walls("A1-drawn", Walls::Drawn),
 ];
 
 /// Returns the mesh of that name.
@@ -182,6 +203,10 @@ impl PaperMesh {
                 *of = scale.divided(*of);
                 *vertices = self.vertices;
             }
+            Recipe::StarredBipyramid { sides } => {
+                *sides /= divisor;
+                self.vertices = 3 * *sides + 2;
+            }
             Recipe::StandIn { vertices, genus, .. } => {
                 // The smallest scans would lose all shape, and vertices enough for their genus.
                 self.vertices = self.vertices.max(200.min(*vertices));
@@ -194,7 +219,9 @@ impl PaperMesh {
     /// Returns the kind of the mesh in records.
     pub fn kind(&self) -> MeshKind {
         match self.recipe {
-            Recipe::Box(_) | Recipe::PaperBox { .. } => MeshKind::Generated,
+            Recipe::Box(_) | Recipe::PaperBox { .. } | Recipe::StarredBipyramid { .. } => {
+                MeshKind::Generated
+            }
             Recipe::SimplifiedBox { .. } => MeshKind::Simplified,
             Recipe::StandIn { .. } => MeshKind::StandIn,
         }

@@ -7,7 +7,7 @@ use triquad::random::Random;
 use triquad::simplify::{Rule, Simplifier, SimplifyError};
 use triquad::triangulation::Triangulation;
 use triquad_generators::box_mesh::{BoxShape, ImpossibleBox, ImpossiblePaperBox, PaperBox, Walls};
-use triquad_generators::{Surface, organic};
+use triquad_generators::{Surface, classic, organic};
 
 /// Origin of a mesh in records.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -65,6 +65,11 @@ pub enum Recipe {
         /// Vertices that are left.
         vertices: u32,
     },
+    /// The bipyramid over a polygon with a vertex in each triangle (Ramaswami-Siqueira, Figure 6).
+    StarredBipyramid {
+        /// Sides of the polygon.
+        sides: u32,
+    },
     /// A surface like a scan: smooth, irregular, simplified from three times as many vertices or
     /// from the fewest that resolve its shape ([`organic::minimum_vertices`]), whichever is more.
     StandIn {
@@ -120,6 +125,7 @@ impl Recipe {
                 let source = paper_box(of, Walls::default(), 0)?;
                 simplified(&source, Rule::Plain, &[], vertices, |_, _| Ok(()))
             }
+            Self::StarredBipyramid { sides } => Ok(into_list(classic::starred_bipyramid(sides))),
             Self::StandIn { vertices, genus, seed } => {
                 let source = stand_in_source(vertices, genus, seed)?;
                 simplified(&source, Rule::Guarded, &[], vertices, |_, _| Ok(()))
@@ -137,6 +143,7 @@ impl Recipe {
                 format!("{}-{}-{seed}", of_paper_box(shape), walls.id())
             }
             Self::SimplifiedBox { of, vertices } => format!("{}-to-{vertices}", of_paper_box(of)),
+            Self::StarredBipyramid { sides } => format!("starred-bipyramid-{sides}"),
             Self::StandIn { vertices, genus, seed } => {
                 format!("stand-in-{vertices}-{genus}-{seed}")
             }
@@ -145,7 +152,7 @@ impl Recipe {
 
     /// Returns whether making the mesh takes longer than reading it from a file.
     pub(super) fn is_costly(&self) -> bool {
-        !matches!(self, Self::Box(_) | Self::PaperBox { .. })
+        matches!(self, Self::SimplifiedBox { .. } | Self::StandIn { .. })
     }
 }
 

@@ -16,7 +16,7 @@ use triquad_render::PictureError;
 pub use polygons::polygons;
 pub use quads::{POOR, QuadScene};
 pub use record::{PictureRecord, Subject, View};
-pub use shaft_box::box_picture;
+pub use shaft_box::{DRAWN_DEPTH, box_picture};
 
 use crate::algorithms::AlgorithmFacts;
 use crate::experiment::job::{UnknownNameError, find_conversion};
@@ -51,6 +51,13 @@ pub enum DrawError {
     /// A file cannot be written.
     #[error(transparent)]
     Write(#[from] io::Error),
+}
+
+/// Returns whether the folder `pictures` in `out` has every picture that its list names.
+pub fn are_complete(out: &Path) -> bool {
+    let folder = out.join("pictures");
+    let rows = PictureRecord::read_all(&folder);
+    !rows.is_empty() && rows.iter().all(|row| folder.join(&row.file).is_file())
 }
 
 /// Draws the quads of `mesh` and the box into `pictures` in `out`, unless these pictures are there.

@@ -2,7 +2,8 @@
 //!
 //! A document has the lines `<!-- table: NAME -->` and `<!-- end -->`; what stands between them is
 //! replaced by a Markdown table. Its numbers are those of the report's tables, to the digits of the
-//! page.
+//! page. A table for which the records have no number stays as it is, so that a document may have
+//! tables of several folders.
 
 use super::compare::{self, Comparison, Verdict};
 use super::summary::Summary;
@@ -28,6 +29,12 @@ pub enum DocumentError {
     },
 }
 
+/// A cell for which the records have nothing.
+const NOTHING: &str = "–";
+
+/// Columns that say what a row is about.
+const NAMES: [&str; 4] = ["mesh", "algorithm", "command", "program"];
+
 /// The line after a table.
 const END: &str = "<!-- end -->";
 
@@ -43,8 +50,8 @@ struct DocumentTable {
 enum Rows {
     /// All of these tables of the report.
     Of(&'static [&'static str]),
-    /// All of one table that belong to a mesh.
-    OfMesh(&'static str, &'static str),
+    /// All of one table that belong to these meshes.
+    OfMeshes(&'static str, &'static [&'static str]),
     /// These meshes and algorithms, wherever they stand.
     These(&'static [(&'static str, &'static str)]),
 }
@@ -141,12 +148,35 @@ const TABLES: &[DocumentTable] = &[
     },
     DocumentTable {
         name: "quality",
-        rows: Rows::OfMesh("table_quality.csv", "eros"),
+        rows: Rows::OfMeshes("table_quality.csv", &["eros"]),
         columns: &[
             ("algorithm", "algorithm"),
             ("mean scaled Jacobian", "scaled_jacobian_mean"),
             ("least", "scaled_jacobian_minimum"),
             ("edges flipped, %", "edge_flips_percent"),
+        ],
+    },
+    DocumentTable {
+        name: "side by side",
+        rows: Rows::OfMeshes(
+            "table_side_by_side.csv",
+            &["casting", "fandisk_12946", "joint_41808_g2", "armadillo_52000"],
+        ),
+        columns: &[
+            ("mesh", "mesh"),
+            ("program", "program"),
+            ("triangles left", "triangles_left"),
+            ("mean J", "scaled_jacobian_mean"),
+            ("worst 1 %", "scaled_jacobian_one_percent"),
+            ("least", "scaled_jacobian_minimum"),
+            ("folded", "folded_quads"),
+            ("sharp edges kept", "sharp_edges_kept"),
+            ("of", "sharp_edges"),
+            ("flipped", "edge_flips"),
+            ("degree 2", "degree_two_vertices"),
+            ("pairing, s", "total_seconds"),
+            ("file to file, s", "process_seconds"),
+            ("memory, bytes", "peak_memory_bytes"),
         ],
     },
 ];
@@ -164,16 +194,22 @@ pub fn fill(document: &str, results: &Results) -> Result<String, DocumentError> 
         filled.push_str(line);
         let Some(name) = marker(line) else { continue };
         let text = if name == VERDICTS {
-            verdicts(&comparison)
+            Some(verdicts(&comparison))
         } else {
             let table = TABLES.iter().find(|table| table.name == name).ok_or_else(|| {
                 DocumentError::UnknownTable { line: number + 1, name: name.to_owned() }
             })?;
             table.markdown(&tables)
         };
-        let end = lines.find(|(_, line)| line.trim_end() == END);
+        let mut old = String::new();
+        let end = lines.find(|(_, line)| {
+            let is_end = line.trim_end() == END;
+            old.push_str(if is_end { "" } else { line });
+            is_end
+        });
         let (_, end) = end.ok_or(DocumentError::NoEnd { line: number + 1 })?;
-        filled.extend(["\n", text.as_str(), "\n", end]);
+        let text = text.map_or(old, |text| format!("\n{text}\n"));
+        filled.extend([text.as_str(), end]);
     }
     Ok(filled)
 }
@@ -197,13 +233,19 @@ fn verdicts(comparison: &Comparison) -> String {
 }
 
 impl DocumentTable {
-    fn markdown(&self, tables: &[ReportTable]) -> String {
+    /// Writes the table; `None` if the records have no number for it.
+    fn markdown(&self, tables: &[ReportTable]) -> Option<String> {
         let headings: Vec<&str> = self.columns.iter().map(|column| column.0).collect();
-        let row = |(mesh, algorithm): (String, String)| {
+        let row = |(mesh, algorithm): (String, String)| -> Vec<String> {
             let cell = |&(_, column): &(&str, &str)| field(tables, &mesh, &algorithm, column);
             self.columns.iter().map(cell).collect()
         };
-        markdown(&headings, self.rows.keys(tables).into_iter().map(row))
+        let rows: Vec<Vec<String>> = self.rows.keys(tables).into_iter().map(row).collect();
+        let is_number = |column: &&(&str, &str)| !NAMES.contains(&column.1);
+        let numbers = self.columns.iter().filter(is_number).count();
+        let has_one =
+            |row: &Vec<String>| row.iter().filter(|cell| *cell == NOTHING).count() < numbers;
+        rows.iter().any(has_one).then(|| markdown(&headings, rows.into_iter()))
     }
 }
 
@@ -216,8 +258,8 @@ impl Rows {
         };
         match self {
             Self::Of(files) => of(files),
-            Self::OfMesh(file, mesh) => {
-                of(&[file]).into_iter().filter(|key| key.0 == *mesh).collect()
+            Self::OfMeshes(file, meshes) => {
+                of(&[file]).into_iter().filter(|key| meshes.contains(&&*key.0)).collect()
             }
             Self::These(keys) => {
                 keys.iter().map(|key| (key.0.to_owned(), key.1.to_owned())).collect()
@@ -240,6 +282,7 @@ fn field(tables: &[ReportTable], mesh: &str, algorithm: &str, column: &str) -> S
             let id = algorithm.to_lowercase();
             return format!("`triquad convert {mesh}.ply --algorithm {id} --stats -`");
         }
+        "program" => return algorithm.trim_end_matches(" local").to_lowercase(),
         _ => {}
     }
     let (name, is_printed) = match column.strip_prefix("paper_") {
@@ -254,7 +297,7 @@ fn field(tables: &[ReportTable], mesh: &str, algorithm: &str, column: &str) -> S
         let text = if is_printed { cell.paper.display() } else { cell.ours.display() };
         (!text.is_empty()).then_some(text)
     });
-    found.unwrap_or_else(|| "–".into())
+    found.unwrap_or_else(|| NOTHING.into())
 }
 
 /// Writes a table in Markdown, numbers and all.
@@ -284,6 +327,12 @@ mod tests {
         assert!(once.ends_with("\n\n<!-- end -->\nb"));
         assert_eq!(filled("| old | table |\n"), once);
         assert_eq!(fill(&once, &Results::default()).unwrap(), once);
+    }
+
+    #[test]
+    fn a_table_that_the_records_have_no_number_for_stays() {
+        let document = "<!-- table: side by side -->\n\n| of another folder |\n\n<!-- end -->\n";
+        assert_eq!(fill(document, &Results::default()).unwrap(), document);
     }
 
     #[test]

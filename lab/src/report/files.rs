@@ -11,6 +11,7 @@ use super::summary::Summary;
 use super::tables::{self, ReportTable};
 use super::{plots, plots::Plot};
 use crate::experiment::Results;
+use crate::file_hash::hash_of_bytes;
 use crate::pictures::PictureRecord;
 use crate::whole_file::refuse_link;
 use triquad::atomic_file::AtomicFile;
@@ -44,12 +45,18 @@ pub struct Report {
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {error}", path.display())]
 pub struct ReportError {
-    path: PathBuf,
-    error: io::Error,
+    /// The file.
+    pub path: PathBuf,
+    /// The reason of the file system.
+    pub error: io::Error,
 }
 
 /// Name of the page's file.
 const PAGE: &str = "index.html";
+/// Name of the file with the hashes of page, plots and pictures: these are not kept in git.
+const HASHES: &str = "SHA256SUMS";
+/// Length of a SHA-256 in digits.
+const HEXADECIMAL_DIGITS: usize = 64;
 
 /// Writes the report on `results` into `folder`. The same records and pictures give the same bytes.
 ///
@@ -76,8 +83,11 @@ pub fn write(folder: &Path, results: &Results, extent: Extent) -> Result<Report,
             pictures: &pictures,
             defects: &defects,
         };
-        files.push(ReportFile { name: PAGE.into(), bytes: page::render(&parts).into_bytes() });
-        files.extend(plots.into_iter().flat_map(plot_files));
+        let page = ReportFile { name: PAGE.into(), bytes: page::render(&parts).into_bytes() };
+        let shown: Vec<ReportFile> =
+            std::iter::once(page).chain(plots.into_iter().flat_map(plot_files)).collect();
+        files.push(hashes(&shown, &pictures));
+        files.extend(shown);
     }
     write_all(folder, &files)?;
     let page = (extent == Extent::Everything).then(|| folder.join(PAGE));
@@ -113,6 +123,18 @@ fn plot_files(plot: Plot) -> [ReportFile; 3] {
     let file =
         |ending: &str, bytes| ReportFile { name: format!("plots/{}.{ending}", plot.stem), bytes };
     [file("svg", plot.svg.into()), file("png", plot.png), file("csv", plot.csv.into())]
+}
+
+/// Lists page, plots and pictures with their SHA-256, as `sha256sum --check` reads it.
+fn hashes(shown: &[ReportFile], pictures: &[PictureFile]) -> ReportFile {
+    let line = |name: &str, bytes: &[u8]| format!("{}  {name}\n", hash_of_bytes(bytes));
+    let pictures = pictures
+        .iter()
+        .map(|picture| line(&format!("pictures/{}", picture.record.file), &picture.png));
+    let mut lines: Vec<String> =
+        shown.iter().map(|file| line(&file.name, &file.bytes)).chain(pictures).collect();
+    lines.sort_by(|one, other| one[HEXADECIMAL_DIGITS..].cmp(&other[HEXADECIMAL_DIGITS..]));
+    ReportFile { name: HASHES.into(), bytes: lines.concat().into_bytes() }
 }
 
 /// Reads the pictures beside the records; those without a file are left out.

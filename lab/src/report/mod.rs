@@ -14,6 +14,7 @@ pub mod files;
 mod notes;
 mod number;
 pub mod page;
+mod path_price;
 pub mod plots;
 mod power_law;
 mod statistics;

@@ -1,6 +1,7 @@
 //! Notes for reading a table or plot, worded once.
 
 use super::summary::Cell;
+use crate::meshes::MeshKind;
 use crate::meshes::paper::Scale;
 
 /// A remark on numbers.
@@ -30,7 +31,9 @@ impl Note {
         let any = |test: fn(&Cell) -> bool| cells.clone().any(test);
         let mut notes = Vec::new();
         for scale in [Scale::Small, Scale::Demo] {
-            if cells.clone().any(|cell| cell.id.mesh.scale == scale) {
+            // Files have their own size at any scale.
+            let is_made = |cell: &Cell| cell.mesh_kind != Some(MeshKind::Real);
+            if cells.clone().any(|cell| cell.id.mesh.scale == scale && is_made(cell)) {
                 notes.push(Self::Scale(scale));
             }
         }

@@ -93,6 +93,16 @@ impl Summary {
         programs
     }
 
+    /// Returns the cells on meshes on which some result was measured from its file, also those
+    /// whose program is not installed. O(cells).
+    pub fn measured_from_files(&self, paper: Paper) -> Vec<&Cell> {
+        let cells: Vec<&Cell> = self.of_paper(paper).collect();
+        let is_measured =
+            |cell: &&Cell| cell.runs.iter().any(|run| run.measured.quality_one_percent.is_some());
+        let on_mesh = cells.chunk_by(|one, other| one.id.mesh == other.id.mesh);
+        on_mesh.filter(|cells| cells.iter().any(is_measured)).flatten().copied().collect()
+    }
+
     /// Returns the cells on the meshes of a group of a paper. O(cells).
     pub fn of_group<'n>(
         &self,

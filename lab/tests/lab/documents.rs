@@ -11,9 +11,18 @@ fn root() -> PathBuf {
 
 /// The newest folder of results in the repository; their names begin with the date.
 fn newest_results() -> Results {
+    newest("20")
+}
+
+/// The newest results of `experiments/quality.toml`.
+fn newest_quality() -> Results {
+    newest("quality-20")
+}
+
+fn newest(prefix: &str) -> Results {
     let folders = std::fs::read_dir(root().join("results")).unwrap();
     let folders = folders.map(|entry| entry.unwrap().path()).filter(|path| {
-        path.is_dir() && path.file_name().unwrap().to_str().unwrap().starts_with("20")
+        path.is_dir() && path.file_name().unwrap().to_str().unwrap().starts_with(prefix)
     });
     Results::read(&folders.max().expect("a folder of results")).unwrap()
 }
@@ -28,10 +37,15 @@ fn documents() -> Vec<(PathBuf, String)> {
 
 #[test]
 fn tables_in_the_documents_are_those_of_the_newest_results() {
-    let (results, mut tables) = (newest_results(), 0);
+    let (results, quality, mut tables) = (newest_results(), newest_quality(), 0);
     for (path, text) in documents() {
         let filled = documents::fill(&text, &results).unwrap();
         assert!(filled == text, "{}: run `make documents`", path.display());
+        if path.ends_with("quality.md") {
+            let filled = documents::fill(&text, &quality).unwrap();
+            assert!(filled == text, "{}: run `make documents`", path.display());
+            assert!(text.contains("| fandisk_12946 | best | 0.0 |"));
+        }
         tables += text.matches("<!-- table: ").count();
     }
     assert!(tables > 5, "only {tables} tables");
@@ -50,8 +64,11 @@ fn a_changed_digit_in_a_table_is_put_right() {
 }
 
 #[test]
-fn the_plot_in_the_readme_is_that_of_the_newest_results() {
-    let plot = plots::named(&Summary::new(&newest_results()), "lrs_against_ps").unwrap();
-    let kept = std::fs::read_to_string(root().join("docs/lrs_against_ps.svg")).unwrap();
-    assert!(kept == plot.svg, "run `make documents`");
+fn the_plots_in_the_documents_are_those_of_the_newest_results() {
+    let plots = [(newest_results(), "lrs_against_ps"), (newest_quality(), "side_by_side_mean")];
+    for (results, name) in plots {
+        let plot = plots::named(&Summary::new(&results), name).unwrap();
+        let kept = std::fs::read_to_string(root().join(format!("docs/{name}.svg"))).unwrap();
+        assert!(kept == plot.svg, "run `make documents`");
+    }
 }

@@ -58,10 +58,11 @@ fn cells_are_in_the_order_of_the_papers_whatever_the_order_of_the_rows() {
     results.records.reverse();
     results.planned.reverse();
     assert_eq!(Summary::new(&results), summary);
-    let first = summary.cells().iter().take(8).map(|cell| (cell.mesh(), cell.label()));
+    let first = summary.cells().iter().take(9).map(|cell| (cell.mesh(), cell.label()));
     let labels = ["SG", "PS", "DS", "LRS", "LRS local", "LRS few-flips", "LRS few-flips local"];
     let expected = labels.iter().map(|label| ("botijo", (*label).to_owned()));
-    assert!(first.eq(expected.chain([("eros", "SG".into())])));
+    let velho = [("botijo", "Velho".into()), ("eros", "SG".into())];
+    assert!(first.eq(expected.chain(velho)));
     let mut groups: Vec<_> = summary
         .cells()
         .iter()
@@ -212,6 +213,27 @@ fn stand_ins_extrapolation_and_disturbed_runs_are_told() {
     let ratios = table(&results, "table_7.csv");
     assert_eq!(field(&ratios, &["ir-B0"], "schipper_to_rs_seconds"), "");
     assert_eq!(field(&ratios, &["ir-B0"], "schipper_to_rs_tests"), "1.008");
+}
+
+#[test]
+fn costs_of_tests_stand_beside_their_numbers_and_shuffles_apart() {
+    let mut results = of_the_papers();
+    let tests = table(&results, "table_8.csv");
+    let found = |column: &str| field(&tests, &["ir-C3"], column);
+    assert_eq!(found("schipper_link_condition_tests"), "615112.0");
+    assert_eq!(found("schipper_link_vertices_visited"), "1230224.0");
+    assert_eq!(found("schipper_link_vertices_visited_a_test"), "2.000");
+    assert_eq!(found("brute_force_degree_products_a_test"), "40.00");
+    let shown = tests.columns.iter().filter(|column| column.is_shown);
+    assert_eq!(shown.filter(|column| column.name.ends_with("_a_test")).count(), 6);
+
+    for run in &mut results.records {
+        run.measured.shuffle_seconds = run.measured.pairing_seconds.map(|seconds| seconds / 4.0);
+    }
+    let pairings = table(&results, "table_4_3.csv");
+    let seconds = |column| -> f64 { field(&pairings, &["eros", "sg"], column).parse().unwrap() };
+    let ratio = seconds("pairing_seconds_without_shuffle") / seconds("pairing_seconds");
+    assert!((ratio - 0.75).abs() < 1e-3, "{ratio}");
 }
 
 #[test]

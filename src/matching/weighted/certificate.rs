@@ -33,7 +33,7 @@ impl Integers {
     /// # Panics
     /// If there is no such position.
     #[inline]
-    pub fn get(&self, index: usize) -> i128 {
+    pub fn at(&self, index: usize) -> i128 {
         match self {
             Self::Narrow(values) => values[index].into(),
             Self::Wide(values) => values[index].into(),
@@ -67,7 +67,7 @@ impl Certificate {
     /// If all nodes have one price that outweighs all costs, the nodes below minus the price are a
     /// [`Barrier`](super::Barrier) that shows how many nodes stay unpaired at least.
     pub fn below(&self, potential: i128) -> Vec<u32> {
-        let is_low = |&node: &u32| self.potentials.get(node as usize) < potential;
+        let is_low = |&node: &u32| self.potentials.at(node as usize) < potential;
         (0..self.potentials.len() as u32).filter(is_low).collect()
     }
 

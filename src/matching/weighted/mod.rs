@@ -52,6 +52,8 @@
 //! Imports of this room go one way: problems and certificates; the check and the barriers, which
 //! use nothing else; the places of nodes; nodes in their two layouts; the phases; the solver's
 //! entry. Only the adapter `dual` names triangles, and only the layouts prefetch.
+//!
+//! Functions that read one part of a certificate or a barrier have no examples of their own.
 
 mod barrier;
 mod blossoms;

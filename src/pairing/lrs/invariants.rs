@@ -143,7 +143,7 @@ fn check_outcome(expanded: Expanded, input: &Triangulation, unpaired: usize) -> 
     assert_eq!(matching.unpaired_count(), unpaired);
     assert!(matching.is_matching_of(&dual) && dual == DualGraph::new(&k));
     // The half-edge structure agrees with its triangles.
-    let list = Mesh::new(vec![[0.0; 3]; k.vertex_id_count()], k.faces());
+    let list = Mesh::new(vec![[0.0; 3]; k.vertex_id_count()], k.to_faces());
     assert_eq!(Triangulation::build(&list).unwrap(), k);
     let [ours, given] = [&k, input].map(edges);
     let new = ours.keys().filter(|&[a, b]| a < b && !given.contains_key(&[*a, *b])).count();

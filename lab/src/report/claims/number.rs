@@ -39,7 +39,7 @@ macro_rules! time {
 }
 
 /// All of them.
-static NUMBERS: [Number; 18] = [
+static NUMBERS: [Number; 21] = [
     count!(vertices),
     count!(edges),
     count!(triangles),
@@ -56,9 +56,12 @@ static NUMBERS: [Number; 18] = [
     count!(augmentation_triangles_visited),
     count!(link_condition_tests),
     count!(edges_tested_more_than_once),
+    count!(link_vertices_visited),
+    count!(degree_products),
     count!(result_vertices),
     count!(peak_memory_bytes),
     time!(pairing_seconds, |run| run.measured.pairing_seconds),
+    time!(shuffle_seconds, |run| run.measured.shuffle_seconds),
     time!(augmentation_seconds, RunRecord::whole_augmentation_seconds),
     time!(total_seconds, RunRecord::whole_total_seconds),
     time!(seconds, |run| run.measured.seconds),

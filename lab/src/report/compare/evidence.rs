@@ -1,9 +1,11 @@
 //! A claim's number on every mesh, from records.
 
 use super::bootstrap::{self, Draw, Sample};
-use crate::experiment::{Job, Measured};
+use crate::experiment::{Job, Measured, RunRecord};
 use crate::meshes::MeshKind;
-use crate::report::claims::{Claim, Expression, Factor, MeshNumber};
+use crate::paper::Paper;
+use crate::report::claims::{Claim, ClaimKind, Expression, Factor, MeshNumber};
+use crate::report::path_price::PathPrice;
 use crate::report::summary::{Cell, Summary};
 use triquad::random::Random;
 
@@ -109,9 +111,15 @@ impl<'a> ClaimOnMesh<'a> {
         };
         let (algorithm, number) = (job.algorithm(), factor.number.name);
         let cell = self.cell(job).ok_or(NoNumberError::NotPlanned(algorithm))?;
+        let price = self.price(job);
+        let of = |run: &RunRecord| match (price, number) {
+            (Some(price), "augmentation_seconds") => price.augmentation_seconds(run),
+            (Some(price), "total_seconds") => price.total_seconds(run),
+            _ => (factor.number.of)(run),
+        };
         let sample: Sample = cell
             .ok_runs()
-            .filter_map(|run| Some((run.repetition, (factor.number.of)(run)?)))
+            .filter_map(|run| Some((run.repetition, of(run)?)))
             .filter(|(_, value)| value.is_finite())
             .collect();
         let mean = sample.iter().map(|run| run.1).sum::<f64>() / sample.len() as f64;
@@ -126,6 +134,14 @@ impl<'a> ClaimOnMesh<'a> {
         }
     }
 
+    /// Returns the price of a path by `rebuild`, which ratios of times in the comparison paper are
+    /// judged by where it was timed.
+    fn price(&self, job: Job) -> Option<PathPrice> {
+        let Claim { kind, experiment, .. } = *self.claim;
+        let is_priced = (kind, experiment) == (ClaimKind::Ratio, Paper::Comparison);
+        is_priced.then(|| PathPrice::of(self.summary, self.mesh, job))?
+    }
+
     fn cell(&self, job: Job) -> Option<&'a Cell> {
         self.summary.cell(self.claim.experiment, self.mesh, job)
     }
@@ -138,13 +154,24 @@ impl<'a> ClaimOnMesh<'a> {
         self.cells().find_map(|cell| cell.count(count)).map_or(f64::NAN, |count| count as f64)
     }
 
-    /// Returns kind of mesh and extrapolation, to stand beside the number.
+    /// Returns whether times of augmentations are prices of paths by `rebuild`.
+    fn is_priced(&self) -> bool {
+        let with_paths = |factor: &&Factor| {
+            ["augmentation_seconds", "total_seconds"].contains(&factor.number.name)
+        };
+        let priced = self.claim.value.factors.iter().filter(with_paths);
+        priced.filter_map(|factor| factor.job).any(|job| self.price(job).is_some())
+    }
+
+    /// Returns kind of mesh, extrapolation and augmentation, to stand beside the number.
     fn remark(&self) -> Option<String> {
         let kind = self.cells().next().and_then(|cell| cell.mesh_kind).map(MeshKind::id);
         let jobs = self.claim.value.factors.iter().filter_map(|factor| factor.job);
         let mut cells = jobs.filter_map(|job| self.cell(job));
         let extrapolated = cells.any(Cell::is_extrapolated) && self.claim.is_about_times();
-        let remarks = [kind, extrapolated.then_some("extrapolated")];
+        let how =
+            if self.is_priced() { Some("rebuild") } else { extrapolated.then_some("extrapolated") };
+        let remarks = [kind, how];
         let remarks: Vec<&str> = remarks.into_iter().flatten().collect();
         (!remarks.is_empty()).then(|| remarks.join(", "))
     }

@@ -13,7 +13,7 @@ pub struct Definition {
 }
 
 /// Symbols of both papers.
-const SYMBOLS: [(&str, &str); 13] = [
+const SYMBOLS: [(&str, &str); 16] = [
     ("n_v, n_e, n_f", "vertices, edges and triangles of a triangulation; n is n_f"),
     ("g", "genus: handles of the surface, summed over its components"),
     ("k", "triangles that SG or PS leave unpaired, column (c)"),
@@ -24,18 +24,25 @@ const SYMBOLS: [(&str, &str); 13] = [
     ("ℓ (irreducible)", "tests of the link condition: may this edge be contracted?"),
     ("ε", "edges tested more than once"),
     ("t", "seconds of RS, S or BF"),
+    ("visited a test", "vertices of links that a test of the link condition visits, in the mean"),
+    (
+        "d·d a test",
+        "product of the degrees of both ends: the cost of a test without data structure",
+    ),
     ("scaled Jacobian", "shape of a quad: 1 for a rectangle, 0 or less where it is not convex"),
     ("tarjan", "augmentation as published: a search over the whole mesh for each path"),
+    ("rebuild", "the same paths, with the graph set up anew for each, as the printed times imply"),
     ("local", "our augmentation: a search touches only what it visits"),
 ];
 
 /// Algorithms.
-const ALGORITHMS: [(&str, &str); 11] = [
+const ALGORITHMS: [(&str, &str); 12] = [
     ("SG", "simple greedy: takes edges in random order, pairs their triangles if both are free"),
     ("PS", "Pulli and Segal: greedy with four priorities, from triangles in random order"),
     ("DS", "Diks and Stanczyk: a perfect pairing at once, in O(n log² n)"),
     ("LRS", "Lemos, Ramaswami, Siqueira: contracts to an irreducible triangulation, expands again"),
     ("LRS few-flips", "LRS with an expansion of ours that keeps more of the input's edges"),
+    ("Velho", "SG with the longest edge first, after Velho; the paper prints no numbers of it"),
     ("GW", "Gawrychowski and Wasylkiewicz: a perfect pairing at once, in O(n log n)"),
     ("BEST", "ours: the perfect pairing of least total cost; the default of triquad convert"),
     ("TQ", "ours: a perfect pairing as fast as the machine allows, without regard to shape"),

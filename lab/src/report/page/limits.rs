@@ -25,8 +25,10 @@ pub fn limits(summary: &Summary) -> Vec<String> {
         "Seconds of different machines are shown beside each other and not compared: counts are, \
          and ratios of times within one machine.",
         "DS follows the idea of Diks and Stanczyk; their full text was not at hand.",
-        "The box has the papers' numbers of vertices, cavities and holes; its proportions, and the \
-         simplification that makes smaller ones, are ours: counts hinge on both.",
+        "The papers print counts of their box, and no proportions. docs/meshes.md derives from \
+         these counts the box that triquad generate paper makes, and separates proof from \
+         inference. How the papers simplified it is not known: counts hinge on both. The edition \
+         of the meshes of older records may be another.",
         "A difference between two means is as certain as the spread of their runs is small: the \
          tables have quartiles, the verdicts a bootstrap.",
     ];

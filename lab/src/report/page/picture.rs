@@ -3,11 +3,12 @@
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use serde::Serialize;
+use triquad_generators::box_mesh::PaperBox;
 
 use super::parts::PictureFile;
 use crate::algorithms::AlgorithmFacts;
 use crate::meshes::MeshKind;
-use crate::pictures::{POOR, PictureRecord, Subject, View};
+use crate::pictures::{DRAWN_DEPTH, POOR, PictureRecord, Subject, View};
 
 /// A picture and its words.
 #[derive(Serialize)]
@@ -36,8 +37,11 @@ fn words(shown: &PictureRecord) -> (String, String) {
             View::Whole => "A flat box with 62 by 62 square cavities",
             View::CloseUp => "The box cut open along a row of cavities",
         };
-        let caption = "62 × 62 = 3,844 cavities; the paper gives no proportions, these are ours. \
-                       Inner sides are orange where the box is cut.";
+        let caption = format!(
+            "The 62 × 62 = 3,844 cavities of the box that the printed counts determine, drawn \
+             {DRAWN_DEPTH} cells deep instead of {}. Inner sides are orange where the box is cut.",
+            PaperBox::PUBLISHED.depth
+        );
         return (alt.into(), format!("{alt}. {caption}"));
     }
     let close = if shown.view == View::CloseUp { "Close-up: " } else { "" };

@@ -95,14 +95,23 @@ fn errata(table: &ReportTable) -> impl Iterator<Item = String> {
 
 impl CellView {
     fn new(cell: &TableCell, is_comparable: bool) -> Self {
-        let text = match cell.ours.display() {
+        let text = match shown(&cell.ours) {
             text if text.is_empty() => "–".into(),
             text if cell.is_extrapolated => format!("{text} *"),
             text => text,
         };
         let (difference, class) =
             if is_comparable { difference(cell) } else { (String::new(), "") };
-        Self { text, quartiles: quartiles(cell), paper: cell.paper.display(), difference, class }
+        Self { text, quartiles: quartiles(cell), paper: shown(&cell.paper), difference, class }
+    }
+}
+
+/// Returns a value without the digit of a mean that is a whole number.
+fn shown(value: &Value) -> String {
+    let text = value.display();
+    match (value, text.strip_suffix(".0")) {
+        (Value::Mean(_), Some(whole)) => whole.into(),
+        _ => text,
     }
 }
 
@@ -116,7 +125,7 @@ fn quartiles(cell: &TableCell) -> String {
         return String::new();
     }
     let bound = |value: f64| match cell.ours {
-        Value::Mean(_) => Value::Mean(value).display(),
+        Value::Mean(_) => shown(&Value::Mean(value)),
         _ => Value::Seconds(value).display(),
     };
     format!("{} to {}", bound(found.lower_quartile), bound(found.upper_quartile))

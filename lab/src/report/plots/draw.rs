@@ -194,8 +194,13 @@ fn draw_series<DB: DrawingBackend>(
 
 /// Writes the names of series, and of the parts of bars, in a row above the axes.
 fn draw_key<DB: DrawingBackend>(canvas: &Canvas<DB>, chart: &Chart) -> Drawn<DB> {
-    let (mut x, y) = (14 * canvas.scale, 36 * canvas.scale);
+    let (left, mut y) = (14 * canvas.scale, 36 * canvas.scale);
+    let mut x = left;
     for series in &chart.series {
+        let end = x + 10 * canvas.scale + canvas.width(&series.name, TEXT);
+        if end > WIDTH as i32 * canvas.scale {
+            (x, y) = (left, y + 17 * canvas.scale);
+        }
         canvas.mark((x, y), series.look, false)?;
         canvas.text(&series.name, (x + 10 * canvas.scale, y), TEXT, HPos::Left)?;
         x += canvas.width(&series.name, TEXT) + 32 * canvas.scale;

@@ -11,6 +11,7 @@ mod draw;
 mod growth;
 mod image_files;
 mod ratios;
+mod side_by_side;
 mod time_bars;
 
 use serde::Serialize;
@@ -56,6 +57,7 @@ pub fn named(summary: &Summary, stem: &str) -> Option<Plot> {
 fn charts(summary: &Summary) -> impl Iterator<Item = Chart> {
     let charts = [growth::figures(summary), time_bars::all(summary), ratios::all(summary)];
     let charts = charts.into_iter().flatten().chain(growth::totals(summary));
+    let charts = charts.chain(side_by_side::all(summary));
     charts.filter(|chart| !chart.is_empty())
 }
 

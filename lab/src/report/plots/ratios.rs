@@ -21,11 +21,11 @@ pub fn all(summary: &Summary) -> Vec<Chart> {
     ]
 }
 
-/// A ratio on a mesh, and whether it is extrapolated; `None` where a side has no number.
-type Ratio = Option<(f64, bool)>;
+/// A number on a mesh, and whether it is extrapolated; `None` where a side has no number.
+pub(super) type Ratio = Option<(f64, bool)>;
 
 /// The meshes of an experiment as rows, and the series of ratios on them.
-struct Rows<'a> {
+pub(super) struct Rows<'a> {
     summary: &'a Summary,
     paper: Paper,
     meshes: Vec<&'a str>,
@@ -33,14 +33,20 @@ struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    fn new(summary: &'a Summary, paper: Paper) -> Self {
+    pub(super) fn new(summary: &'a Summary, paper: Paper) -> Self {
         let mut meshes: Vec<&str> = summary.of_paper(paper).map(Cell::mesh).collect();
         meshes.dedup();
         Self { summary, paper, meshes, series: Vec::new() }
     }
 
     /// Adds a series of the ratios that there are, on our meshes or, if `is_printed`, the paper's.
-    fn add(&mut self, name: &str, look: Look, is_printed: bool, ratio: impl Fn(&str) -> Ratio) {
+    pub(super) fn add(
+        &mut self,
+        name: &str,
+        look: Look,
+        is_printed: bool,
+        ratio: impl Fn(&str) -> Ratio,
+    ) {
         let point = |(row, &mesh): (usize, &&str)| {
             let (x, extrapolated) = ratio(mesh)?;
             let first = self.summary.of_mesh(self.paper, mesh).next();
@@ -61,7 +67,13 @@ impl<'a> Rows<'a> {
     }
 
     /// Makes the chart, without rows in which nothing is.
-    fn chart(mut self, stem: &str, title: &str, x_name: &str, sides: [&'static str; 2]) -> Chart {
+    pub(super) fn chart(
+        mut self,
+        stem: &str,
+        title: &str,
+        x_name: &str,
+        sides: [&'static str; 2],
+    ) -> Chart {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let used = |&row: &usize| points().any(|point| point.y as usize == row);
         let kept: Vec<usize> = (0..self.meshes.len()).filter(used).collect();

@@ -5,6 +5,7 @@ use crate::experiment::{Measured, RunRecord};
 use crate::meshes::MeshKind;
 use crate::paper::{Paper, Table};
 use crate::report::notes::Note;
+use crate::report::number::quotient;
 use crate::report::summary::{Cell, Summary};
 
 /// Source of a row of a table.
@@ -87,6 +88,17 @@ pub fn mean_count<'c, P: 'c>(
     of_cell(name, at, move |cell| cell.mean_count(count).map(Value::Mean)).sampled(at, number)
 }
 
+/// Returns a column of the quotient of two counts of a shown cell, each the mean over its runs.
+pub fn quotient_of<'c, P>(
+    name: impl Into<String>,
+    at: usize,
+    [top, bottom]: [fn(&Measured) -> Option<u64>; 2],
+) -> ColumnOf<'c, P> {
+    of_cell(name, at, move |cell| {
+        quotient(cell.mean_count(top), cell.mean_count(bottom)).map(Value::Ratio)
+    })
+}
+
 /// Returns a column of how the runs of a cell ended, or `not planned`.
 pub fn outcomes<'c, P>(name: impl Into<String>, at: usize) -> ColumnOf<'c, P> {
     column(name, move |line: &Line<P>| {
@@ -116,6 +128,11 @@ pub fn mesh<'c, P>() -> Vec<ColumnOf<'c, P>> {
         size("triangles", |measured| measured.triangles),
         size("genus", |measured| measured.genus),
     ]
+}
+
+/// Returns the same columns for a table of the papers: the page has them in the tables of meshes.
+pub fn hidden_mesh<'c, P>() -> impl Iterator<Item = ColumnOf<'c, P>> {
+    mesh().into_iter().map(ColumnOf::hidden)
 }
 
 /// Returns the column of the kind of the mesh.

@@ -1,7 +1,7 @@
 //! Tables 6 to 11 of the paper on irreducible triangulations: tests of the link condition, and
 //! ratios of tests and times.
 
-use super::columns::{self, ColumnOf, Line, column, counterpart, mean_count};
+use super::columns::{self, ColumnOf, Line, column, counterpart, mean_count, quotient_of};
 use super::table::{ReportTable, Value};
 use crate::experiment::{Job, Measured};
 use crate::paper::{LinkTestRow, Paper, RatioRow, Table, TableKind};
@@ -38,7 +38,7 @@ fn table<P: 'static>(
         Line { cells, ..Line::new(summary, Paper::Irreducible, &mesh, Some(row)) }
     };
     let lines: Vec<Line<P>> = rows.into_iter().map(line).collect();
-    columns.extend(columns::mesh());
+    columns.extend(columns::hidden_mesh());
     for (at, (name, letter)) in TRIO.into_iter().enumerate() {
         let heading = format!("{} runs", letter.to_uppercase());
         columns.push(columns::outcomes(format!("{name}_outcomes"), at).heading(heading));
@@ -93,7 +93,25 @@ fn tests(summary: &Summary, printed: Table) -> ReportTable {
                 .heading(format!("ℓ_{name}")),
         );
     }
+    columns
+        .extend(cost_columns("link_vertices_visited", "visited", |run| run.link_vertices_visited));
+    columns.extend(cost_columns("degree_products", "d·d", |run| run.degree_products));
     table(summary, printed, rows, columns, |row| &row.errata)
+}
+
+/// Returns the columns of a cost of RS, S and BF that no machine changes: the whole in the file, and
+/// on the page what a test of the link condition costs.
+fn cost_columns<P: 'static>(
+    name: &'static str,
+    symbol: &'static str,
+    cost: fn(&Measured) -> Option<u64>,
+) -> impl Iterator<Item = ColumnOf<'static, P>> {
+    TRIO.into_iter().enumerate().flat_map(move |(at, (algorithm, letter))| {
+        let whole = mean_count(format!("{algorithm}_{name}"), at, cost).hidden();
+        let parts = [cost, |run: &Measured| run.link_condition_tests];
+        let a_test = quotient_of(format!("{algorithm}_{name}_a_test"), at, parts);
+        [whole, a_test.heading(format!("{symbol} a test, {}", letter.to_uppercase()))]
+    })
 }
 
 fn ratios(summary: &Summary, printed: Table) -> ReportTable {

@@ -9,6 +9,7 @@ mod link_tests;
 mod mesh_counts;
 mod own;
 mod pairings;
+mod side_by_side;
 mod table;
 
 pub use pairings::with_programs;
@@ -26,5 +27,6 @@ pub fn all(summary: &Summary) -> Vec<ReportTable> {
     tables.extend(mesh_counts::of_paper(summary, Paper::Irreducible));
     tables.extend(link_tests::all(summary));
     tables.extend(own::all(summary));
+    tables.extend(side_by_side::table(summary));
     tables
 }

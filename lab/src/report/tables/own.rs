@@ -13,7 +13,7 @@ use crate::report::statistics::Statistics;
 use crate::report::summary::{Cell, Summary};
 
 /// A column of a table without a counterpart.
-type OwnColumn = ColumnOf<'static, ()>;
+pub(super) type OwnColumn = ColumnOf<'static, ()>;
 
 /// Makes all of them.
 pub fn all(summary: &Summary) -> Vec<ReportTable> {
@@ -32,7 +32,7 @@ fn line(cell: &Cell) -> Line<'_, ()> {
 }
 
 /// Makes a table of cells, one a row: mesh and algorithm, then `columns`.
-fn of_cells<'a>(
+pub(super) fn of_cells<'a>(
     (file, title): (&'static str, &'static str),
     cells: impl Iterator<Item = &'a Cell>,
     columns: impl IntoIterator<Item = OwnColumn>,
@@ -99,7 +99,7 @@ fn search_columns(prefix: &str, at: usize, star: &'static [usize]) -> [OwnColumn
 
 /// Meshes that the papers do not have.
 fn data(summary: &Summary) -> ReportTable {
-    let names = ("table_data.csv", "Other real meshes");
+    let names = ("table_data.csv", "Other meshes");
     let columns = five_columns().into_iter().chain(columns::mesh()).chain(spread_columns());
     let table = of_cells(names, summary.of_group(Paper::Comparison, "data"), columns);
     ReportTable { group: Some((Paper::Comparison, "data")), ..table }
@@ -141,6 +141,8 @@ fn irreducible(summary: &Summary) -> ReportTable {
         seconds("seconds_upper_quartile", |time| time.upper_quartile).hidden(),
         mean_count("link_condition_tests", 0, |measured| measured.link_condition_tests),
         mean_count("edges_tested_more_than_once", 0, |run| run.edges_tested_more_than_once),
+        mean_count("link_vertices_visited", 0, |measured| measured.link_vertices_visited),
+        mean_count("degree_products", 0, |measured| measured.degree_products),
         mean_count("result_vertices", 0, |measured| measured.result_vertices),
         mean_count("result_triangles", 0, |measured| measured.result_triangles),
         columns::outcomes("outcomes", 0),

@@ -43,7 +43,7 @@ fn table(summary: &Summary, printed: Table) -> ReportTable {
         beside(augmentation, Value::Seconds, |row| row.augmentation_seconds),
         beside(total, Value::Seconds, |row| row.total_seconds).with_ratio(),
     ]);
-    columns.extend(columns::mesh());
+    columns.extend(columns::hidden_mesh());
     columns.extend(spread_columns());
     let mut table = counterpart(printed, columns, &lines, |printed| {
         printed.row.as_ref().map_or("", |row| &row.errata)
@@ -102,7 +102,7 @@ pub fn five_columns<P: 'static>() -> [ColumnOf<'static, P>; 5] {
     ]
 }
 
-/// Returns the columns beside these: runs, spread, flips, outcomes.
+/// Returns the columns beside these: pairing without shuffle, runs, spread, flips, outcomes.
 pub fn spread_columns<P: 'static>() -> Vec<ColumnOf<'static, P>> {
     let total = |name, number: fn(&Statistics) -> f64| {
         of_cell(name, 0, move |cell| {
@@ -110,16 +110,32 @@ pub fn spread_columns<P: 'static>() -> Vec<ColumnOf<'static, P>> {
             Some(Value::Seconds(number(&total)))
         })
     };
+    let unpaired = |name, number: fn(&Statistics) -> f64| {
+        of_cell(name, 0, move |cell| {
+            let count = |run: &RunRecord| run.measured.unpaired_triangles.map(|n| n as f64);
+            Some(Value::Count(number(&cell.statistics(count)?) as u64))
+        })
+    };
     vec![
+        columns::mean("pairing_seconds_without_shuffle", 0, Value::Seconds, unshuffled)
+            .heading("(a) without shuffle, s"),
         columns::ok_runs(0),
         total("total_seconds_median", |total| total.median).heading("(e) median, s").starred(&[0]),
         total("total_seconds_lower_quartile", |total| total.lower_quartile).hidden(),
         total("total_seconds_upper_quartile", |total| total.upper_quartile).hidden(),
+        unpaired("unpaired_triangles_least", |unpaired| unpaired.minimum).hidden(),
+        unpaired("unpaired_triangles_greatest", |unpaired| unpaired.maximum).hidden(),
         columns::mean_count("edge_flips", 0, |measured| measured.edge_flips),
         of_cell("edge_flips_percent", 0, flipped_percent),
         columns::outcomes("outcomes", 0),
         columns::extrapolated("extrapolated", 0),
     ]
+}
+
+/// Returns column (a) without the shuffle of SG and PS; others have none.
+fn unshuffled(run: &RunRecord) -> Option<f64> {
+    let shuffle = run.measured.shuffle_seconds?;
+    Some(run.measured.pairing_seconds? - shuffle)
 }
 
 /// Returns the share of edges that were flipped.

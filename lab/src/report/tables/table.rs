@@ -99,6 +99,8 @@ pub enum Value {
     Ratio(f64),
     /// A ratio to the digits that the papers print.
     PrintedRatio(f64),
+    /// A scaled Jacobian.
+    Jacobian(f64),
     /// Bytes.
     Bytes(f64),
 }
@@ -113,6 +115,7 @@ impl Value {
             | Self::Percent(value)
             | Self::Ratio(value)
             | Self::PrintedRatio(value)
+            | Self::Jacobian(value)
             | Self::Bytes(value) => Some(value),
             Self::Missing | Self::Text(_) | Self::Algorithm(_) => None,
         }
@@ -130,6 +133,8 @@ impl Value {
             Self::Percent(value) => format!("{value:.4}"),
             Self::Ratio(value) => significant(*value),
             Self::PrintedRatio(value) => format!("{value:.2}"),
+            // What rounds to 0 has no sign.
+            Self::Jacobian(value) => format!("{:.4}", (1e4 * value).round() / 1e4 + 0.0),
             Self::Bytes(value) => format!("{value:.0}"),
         }
     }

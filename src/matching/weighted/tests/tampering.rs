@@ -22,7 +22,7 @@ struct Answer {
 impl Answer {
     fn of(graph: &Rows) -> Option<Self> {
         let solution = solve(graph, Limits::DEFAULT).ok()?;
-        let open = |numbers: &Integers| (0..numbers.len()).map(|i| numbers.get(i)).collect();
+        let open = |numbers: &Integers| (0..numbers.len()).map(|i| numbers.at(i)).collect();
         Some(Self {
             mates: solution.mates,
             potentials: open(&solution.certificate.potentials),

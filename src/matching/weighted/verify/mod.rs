@@ -106,7 +106,7 @@ impl OddSets {
             if parent != NONE && (parent <= set || parent as usize >= count) {
                 return Err(E::Parent(set));
             }
-            if certificate.values.get(set as usize) < 0 {
+            if certificate.values.at(set as usize) < 0 {
                 return Err(E::Negative(set));
             }
         }
@@ -114,7 +114,7 @@ impl OddSets {
         let mut inside = vec![0_i128; count + 1];
         for (set, &parent) in certificate.parents.iter().enumerate().rev() {
             let outside = if parent == NONE { 0 } else { inside[parent as usize] };
-            inside[set] = certificate.values.get(set).checked_add(outside).ok_or(E::Overflow)?;
+            inside[set] = certificate.values.at(set).checked_add(outside).ok_or(E::Overflow)?;
         }
         Ok(Self { nesting: Nesting::new(&certificate.parents), inside })
     }
@@ -129,18 +129,18 @@ impl OddSets {
         } else {
             self.inside[self.nesting.smallest_common(a, b) as usize]
         };
-        let [u, v] = edge.ends.map(|end| certificate.potentials.get(end as usize));
+        let [u, v] = edge.ends.map(|end| certificate.potentials.at(end as usize));
         let room = edge.cost.checked_add(inside)?.checked_mul(2)?;
         room.checked_sub(u)?.checked_sub(v)
     }
 
     /// Returns Σ y + Σ z, or nothing if that is too large.
     fn bound(&self, certificate: &Certificate) -> Option<i128> {
-        let mut values = (0..certificate.values.len()).map(|set| certificate.values.get(set));
+        let mut values = (0..certificate.values.len()).map(|set| certificate.values.at(set));
         let sets = values.try_fold(0_i128, |sum, z| sum.checked_add(z))?;
         certificate.innermost.iter().enumerate().try_fold(sets, |sum, (node, &set)| {
             let inside = if set == NONE { 0 } else { self.inside[set as usize] };
-            sum.checked_add(certificate.potentials.get(node).checked_sub(inside)?)
+            sum.checked_add(certificate.potentials.at(node).checked_sub(inside)?)
         })
     }
 }
@@ -184,7 +184,7 @@ fn unpaired_cost(
             continue;
         };
         let price = price.checked_mul(2).ok_or(E::Overflow)?;
-        if price < certificate.potentials.get(node as usize) {
+        if price < certificate.potentials.at(node as usize) {
             return Err(E::Price(node));
         }
         if mate == NONE {

@@ -1,0 +1,11 @@
+//! The command-line tool as its users meet it: files, exit codes, one line of reasons, no remains.
+
+mod check;
+mod conversions;
+mod generate;
+#[cfg(unix)]
+mod interrupts;
+mod meshes;
+mod reductions;
+mod refusals;
+mod statistics;

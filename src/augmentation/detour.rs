@@ -1,0 +1,81 @@
+//! Many augmenting paths at once, by way of a maximum matching found from nothing.
+//!
+//! The triangles on which two matchings differ form alternating paths and cycles. If one matching
+//! is maximum, some of these are augmenting paths of the other, as many as pairs are missing, and
+//! no two of them touch. They are read off in linear time, however far they reach together.
+
+use std::ops::ControlFlow;
+
+use super::stats::AugmentationStats;
+use crate::dual::{DualGraph, Matching};
+use crate::matching::weighted::{DualProblem, Prices, SolveError, solve_cubic};
+use crate::pairing::gawrychowski_wasylkiewicz;
+use crate::triangulation::TriangleId;
+
+/// Augments `matching` until it is maximum, or `on_path` breaks.
+///
+/// O(n log n) time on closed surfaces. Counts every triangle as visited once more.
+pub(super) fn augment(
+    graph: &DualGraph,
+    matching: &mut Matching,
+    stats: &mut AugmentationStats,
+    on_path: &mut dyn FnMut() -> ControlFlow<()>,
+) {
+    let goal = maximum(graph);
+    stats.triangles_visited += graph.len();
+    augment_towards(&goal, matching, stats, on_path);
+}
+
+/// Finds a maximum matching: GW's on closed surfaces, else one that leaves the fewest triangles.
+fn maximum(graph: &DualGraph) -> Matching {
+    gawrychowski_wasylkiewicz(graph).unwrap_or_else(|_| fewest_unpaired(graph).expect(SOLVABLE))
+}
+
+const SOLVABLE: &str = "all costs are 0, and any triangle may stay unpaired";
+
+fn fewest_unpaired(graph: &DualGraph) -> Result<Matching, SolveError> {
+    let costs = vec![[0; 3]; graph.len()];
+    let problem = DualProblem::new(graph, &costs).with_prices(Prices::Equal(1));
+    Ok(solve_cubic(&problem, &mut |_| ControlFlow::Continue(()))?.matching())
+}
+
+/// Augments along all paths of `matching` whose new pairs are pairs of `goal`.
+fn augment_towards(
+    goal: &Matching,
+    matching: &mut Matching,
+    stats: &mut AugmentationStats,
+    on_path: &mut dyn FnMut() -> ControlFlow<()>,
+) {
+    let roots: Vec<TriangleId> = matching.unpaired().collect();
+    let mut new_pairs = Vec::new();
+    for root in roots {
+        if matching.is_paired(root) || !leads_to_another(root, goal, matching, &mut new_pairs) {
+            continue;
+        }
+        matching.replace_along(&new_pairs);
+        stats.add_path(2 * new_pairs.len() - 1);
+        if on_path().is_break() {
+            return;
+        }
+    }
+}
+
+/// Collects the pairs of `goal` on the path from the unpaired triangle `root`, on which pairs of
+/// both matchings take turns. Returns whether an unpaired triangle is at its other end.
+fn leads_to_another(
+    root: TriangleId,
+    goal: &Matching,
+    matching: &Matching,
+    new_pairs: &mut Vec<(TriangleId, TriangleId)>,
+) -> bool {
+    new_pairs.clear();
+    let mut here = root;
+    while let Some(there) = goal.mate(here) {
+        new_pairs.push((here, there));
+        match matching.mate(there) {
+            Some(next) => here = next,
+            None => return true,
+        }
+    }
+    false
+}
