@@ -72,7 +72,7 @@ impl<'a, C: Copy + Into<i128>> DualProblem<'a, C> {
     }
 }
 
-impl<C: Copy + Into<i128>> Problem for DualProblem<'_, C> {
+impl<C: Copy + Into<i128> + Sync> Problem for DualProblem<'_, C> {
     fn node_count(&self) -> usize {
         self.graph.len()
     }
@@ -93,7 +93,7 @@ impl<C: Copy + Into<i128>> Problem for DualProblem<'_, C> {
     }
 }
 
-impl<C: Copy + Into<i128>> CubicProblem for DualProblem<'_, C> {
+impl<C: Copy + Into<i128> + Sync> CubicProblem for DualProblem<'_, C> {
     #[inline]
     fn neighbours(&self, node: u32) -> [u32; 3] {
         let across = self.across(node);

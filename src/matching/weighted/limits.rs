@@ -1,4 +1,6 @@
-//! Limits at which growing trees are cut.
+//! Limits at which growing trees are cut, and parts of the nodes.
+
+use std::ops::Range;
 
 /// Limits at which growing trees are cut. Any choice gives an optimum; only time depends on it.
 #[derive(Clone, Copy, Debug)]
@@ -18,7 +20,7 @@ pub(super) struct Limits {
     pub(super) parts: usize,
     /// Trees in a part may visit one node in so many of it; larger ones mostly meet its border.
     pub(super) share: usize,
-    /// There are no parts if more than one node in so many is on a border.
+    /// Parts are worth it if at most one node in so many is on a border.
     pub(super) border: usize,
 }
 
@@ -44,6 +46,18 @@ impl Limits {
     pub(super) fn parts(self, nodes: usize) -> usize {
         // An even number keeps two threads equally busy.
         (nodes / self.part).next_multiple_of(2).clamp(1, self.parts)
+    }
+
+    /// Returns the nodes of each part, about equally many, in order.
+    pub(super) fn ranges(self, nodes: usize) -> impl ExactSizeIterator<Item = Range<u32>> {
+        let parts = self.parts(nodes);
+        let end = move |part: usize| (nodes as u64 * part as u64 / parts as u64) as u32;
+        (0..parts).map(move |part| end(part)..end(part + 1))
+    }
+
+    /// Returns whether parts are worth it with so many nodes on their borders.
+    pub(super) fn allow(self, border: usize, nodes: usize) -> bool {
+        border <= nodes / self.border
     }
 
     /// Returns the greatest limit for trees in a part.

@@ -50,8 +50,8 @@
 //! that is left. Trees are grown one at a time, cut at a limit that grows from round to round.
 //!
 //! Imports of this room go one way: problems and certificates; the check and the barriers, which
-//! use nothing else; nodes in their two layouts; the phases; the solver's entry. Only the adapter
-//! `dual` names triangles, and only the layouts prefetch.
+//! use nothing else; the places of nodes; nodes in their two layouts; the phases; the solver's
+//! entry. Only the adapter `dual` names triangles, and only the layouts prefetch.
 //!
 //! Functions that read one part of a certificate or a barrier have no examples of their own.
 
@@ -68,6 +68,7 @@ mod nodes;
 mod number;
 mod observer;
 mod parts;
+mod places;
 mod prices;
 mod problem;
 mod queue;

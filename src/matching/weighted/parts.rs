@@ -19,19 +19,14 @@ use super::start::{raise_each, start};
 use super::work::Work;
 use crate::parallel::{map, threads};
 
-/// Returns whether parts are worth it: there are several, and few nodes are on their borders.
+/// Returns whether there are several parts, and few nodes on their borders.
 ///
-/// That depends on the graph alone. Numberings of meshes from arrays or scanners mostly follow the
-/// surface; where neighbours are far apart, the parts would be all border.
+/// That depends on the graph alone. Where it has no near neighbours, parts would be all border.
 pub(super) fn has_parts<N: Number>(rows: &mut Rows<N>, limits: Limits) -> bool {
     let nodes = rows.len();
-    let parts = limits.parts(nodes);
-    if parts == 1 {
-        return false;
-    }
     let count = |nodes: Cubic<N, true>| nodes.range().filter(|&v| nodes.is_on_border(v)).count();
-    let border: usize = map(rows.parts(parts), count).into_iter().sum();
-    border <= nodes / limits.border
+    let border: usize = map(rows.parts(limits.ranges(nodes)), count).into_iter().sum();
+    limits.parts(nodes) > 1 && limits.allow(border, nodes)
 }
 
 /// Runs all phases.
@@ -46,7 +41,7 @@ pub(super) fn run_in_parts<N: Number>(
     let most = limits.most_in_part(rows.len());
     let mut rest: &[u32] = &roots;
     let mut parts = Vec::new();
-    for nodes in rows.parts(limits.parts(rows.len())) {
+    for nodes in rows.parts(limits.ranges(rows.len())) {
         let (own, others) = rest.split_at(rest.partition_point(|&root| root < nodes.range().end));
         parts.push((nodes, own.to_vec()));
         rest = others;
@@ -71,7 +66,7 @@ fn half_phase<N: Number>(
     observer: &mut Observer,
 ) -> Result<Vec<u32>, Refusal> {
     let nodes = rows.len();
-    let parts = rows.parts(limits.parts(nodes));
+    let parts = rows.parts(limits.ranges(nodes));
     let half = |nodes, in_a_hurry: bool| Half::of(nodes, limits, !in_a_hurry);
     let halves = in_batches(parts, Stage::HalfIntegral, nodes, observer, half)?;
     let mut whole = rows.whole();
@@ -137,7 +132,7 @@ fn join<N: Number>(
     if before[grown.len()] > Cubic::<N, false>::MOST_SETS as usize {
         return Err(Refusal::TooNarrow);
     }
-    let parts = rows.parts(limits.parts(rows.len()));
+    let parts = rows.parts(limits.ranges(rows.len()));
     map(parts.into_iter().zip(before).collect(), |(mut nodes, before)| {
         Grown::<N>::renumber_sets(&mut nodes, before as u32);
     });

@@ -34,8 +34,9 @@ pub trait Problem {
 
 /// A graph in which each node has at most three sides, each with an edge or without.
 ///
-/// Side `i` of a node and the same edge's side of the neighbour must have equal costs.
-pub trait CubicProblem: Problem {
+/// Side `i` of a node and the same edge's side of the neighbour must have equal costs. Several
+/// threads read at once.
+pub trait CubicProblem: Problem + Sync {
     /// Returns the neighbours across the three sides, [`NONE`] where there is no edge.
     fn neighbours(&self, node: u32) -> [u32; 3];
 

@@ -13,6 +13,7 @@ use super::nodes::Nodes;
 use super::number::Number;
 use super::observer::{News, Observer};
 use super::parts::{has_parts, run_in_parts};
+use super::places::Places;
 use super::problem::{CubicProblem, Mates, Problem};
 use super::refusal::Refusal;
 use super::roots::Roots;
@@ -110,14 +111,18 @@ pub(super) fn cubic_solution(
     limits: Limits,
     observer: &mut Observer,
 ) -> Result<Solution, SolveError> {
-    let mut outcome = run_narrow(Rows::new(problem), limits, observer);
+    if problem.node_count() > Rows::<Wrapping<i32>>::MOST_NODES {
+        return Err(SolveError::TooLarge);
+    }
+    let places = Places::of(problem, limits);
+    let mut outcome = run_narrow(Rows::new(problem, &places), limits, observer);
     if is_too_narrow(&outcome) {
-        outcome = run_whole(Rows::<Wrapping<i64>>::new(problem), limits, observer);
+        outcome = run_whole(Rows::<Wrapping<i64>>::new(problem, &places), limits, observer);
     }
     if is_too_narrow(&outcome) {
-        outcome = run_whole(Rows::<Wrapping<i128>>::new(problem), limits, observer);
+        outcome = run_whole(Rows::<Wrapping<i128>>::new(problem, &places), limits, observer);
     }
-    outcome.map(solution).map_err(error)
+    places.restore(outcome).map(solution).map_err(error)
 }
 
 /// Tries 64 and 128 bits.

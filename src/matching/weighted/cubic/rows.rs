@@ -1,11 +1,16 @@
 //! All nodes, and how they are read.
 
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::super::nodes::NONE;
 use super::super::number::{Number, doubled};
+use super::super::places::Places;
 use super::super::problem::{CubicProblem, NONE as NO_NODE};
 use super::super::refusal::Refusal;
 use super::row::{Row, SET};
 use super::view::Cubic;
+use crate::parallel::collect;
 
 /// A graph in which no node has more than three sides.
 pub(crate) struct Rows<N: Number> {
@@ -15,20 +20,22 @@ pub(crate) struct Rows<N: Number> {
 }
 
 impl<N: Number> Rows<N> {
-    /// Reads a problem. O(n).
-    pub(crate) fn new(problem: &impl CubicProblem) -> Result<Self, Refusal> {
+    /// Greatest number of nodes: half-edges and blossoms beyond them are numbered with 32 bits.
+    pub(crate) const MOST_NODES: usize = (u32::MAX / 5) as usize;
+
+    /// Reads a problem, its nodes in their places. O(n).
+    pub(crate) fn new(problem: &impl CubicProblem, places: &Places) -> Result<Self, Refusal> {
         let count = problem.node_count();
-        // Half-edges, and a number for every blossom beyond them, in 32 bits.
-        if count > (u32::MAX / 5) as usize {
-            return Err(Refusal::TooLarge);
+        let is_too_narrow = AtomicBool::new(false);
+        let mut rows = collect(count, |place| row(problem, places, place as u32, &is_too_narrow));
+        if is_too_narrow.into_inner() {
+            return Err(Refusal::TooNarrow);
         }
-        let nodes = 0..count as u32;
-        let rows = nodes.clone().map(|node| row(problem, node));
-        let mut rows = rows.collect::<Result<Vec<_>, _>>()?;
-        nodes.clone().try_for_each(|node| join(&mut rows, node))?;
-        let prices = if nodes.clone().any(|node| problem.price(node).is_some()) {
-            let price = |node| problem.price(node).map(doubled).transpose();
-            nodes.map(price).collect::<Result<_, _>>()?
+        let all = 0..count as u32;
+        all.clone().try_for_each(|place| join(&mut rows, place))?;
+        let price = |place| problem.price(places.node_at(place));
+        let prices = if all.clone().any(|place| price(place).is_some()) {
+            all.map(|place| price(place).map(doubled).transpose()).collect::<Result<_, _>>()?
         } else {
             Vec::new()
         };
@@ -46,39 +53,51 @@ impl<N: Number> Rows<N> {
         Cubic { rows: &mut self.rows, prices: &self.prices, first: 0, count }
     }
 
-    /// Returns views of `parts` ranges of nodes, about equally many in each, in order.
-    pub(crate) fn parts(&mut self, parts: usize) -> Vec<Cubic<'_, N, true>> {
+    /// Returns views of ranges of nodes, which divide them all in order.
+    pub(crate) fn parts(
+        &mut self,
+        ranges: impl Iterator<Item = Range<u32>>,
+    ) -> Vec<Cubic<'_, N, true>> {
         let Self { rows, prices } = self;
         let count = rows.len() as u32;
-        let end = |part: usize| (u64::from(count) * part as u64 / parts as u64) as u32;
         let mut rest = rows.as_mut_slice();
-        let view = |part: usize| {
-            let (first, length) = (end(part), (end(part + 1) - end(part)) as usize);
-            let (rows, tail) = std::mem::take(&mut rest).split_at_mut(length);
+        let view = |range: Range<u32>| {
+            let (rows, tail) = std::mem::take(&mut rest).split_at_mut(range.len());
             rest = tail;
-            Cubic { rows, prices, first, count }
+            Cubic { rows, prices, first: range.start, count }
         };
-        (0..parts).map(view).collect()
+        ranges.map(view).collect()
     }
 }
 
 /// State of a node without mate, label, mark and set.
 const EMPTY: u64 = u64::MAX << SET;
 
-/// Reads a node; neighbours stand for twins. The lowest three bits of the state are for [`join`].
+/// Reads the node at a place; the places of neighbours stand for twins.
+///
+/// Notes a cost that the numbers do not hold. The lowest three bits of the state are for [`join`].
 #[inline]
-fn row<N: Number>(problem: &impl CubicProblem, node: u32) -> Result<Row<N>, Refusal> {
+fn row<N: Number>(
+    problem: &impl CubicProblem,
+    places: &Places,
+    place: u32,
+    is_too_narrow: &AtomicBool,
+) -> Row<N> {
+    let node = places.node_at(place);
     let neighbours = problem.neighbours(node);
     let costs = problem.costs(node);
     let mut row =
         Row { twins: [NONE; 3], costs: [N::ZERO; 3], potential: N::ZERO, state: N::state(EMPTY) };
     for (side, neighbour) in neighbours.into_iter().enumerate() {
         if neighbour != NO_NODE && neighbour != node {
-            row.twins[side] = neighbour;
-            row.costs[side] = doubled(costs[side])?;
+            row.twins[side] = places.place_of(neighbour);
+            row.costs[side] = doubled(costs[side]).unwrap_or_else(|_| {
+                is_too_narrow.store(true, Ordering::Relaxed);
+                N::ZERO
+            });
         }
     }
-    Ok(row)
+    row
 }
 
 /// Makes twins of a node's sides to later nodes; those to earlier ones have been made.

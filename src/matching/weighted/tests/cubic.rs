@@ -16,9 +16,11 @@ use super::graphs::{Rows, any_graph, cubic_graph, local_graph, surface};
 pub(super) fn limits() -> impl Strategy<Value = Limits> {
     let first = prop_oneof![Just(1), Just(2), Just(4), Just(16), Just(64), Just(usize::MAX)];
     let patience = prop_oneof![Just(0), Just(3), Just(u32::MAX)];
-    let parts = (1..40_usize, 1..6_usize, 1..3_usize);
+    // Divided as they are; renumbered and divided; renumbered and not divided.
+    let border = prop_oneof![Just(1), Just(3), Just(usize::MAX)];
+    let parts = (1..40_usize, 1..6_usize, 1..3_usize, border);
     (first, 2..5_usize, 0..3_u32, patience, parts).prop_map(
-        |(first, factor, single_rounds, patience, (part, parts, share))| Limits {
+        |(first, factor, single_rounds, patience, (part, parts, share, border))| Limits {
             first,
             factor,
             single_rounds,
@@ -26,7 +28,7 @@ pub(super) fn limits() -> impl Strategy<Value = Limits> {
             part,
             parts,
             share,
-            border: 1,
+            border,
         },
     )
 }
