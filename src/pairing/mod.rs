@@ -50,8 +50,8 @@
 //! # Ok::<(), triquad::dual::DualGraphError>(())
 //! ```
 //!
-//! [`best()`] and [`lrs()`] are called through [`Converter`](crate::Converter), which prepares their
-//! costs and orders. They, and the parts of an [`Objective`], have no examples of their own.
+//! [`best()`] and [`lrs()`] are called through [`Converter`](crate::Converter), which prepares
+//! their costs and orders. They, and the parts of an [`Objective`], have no examples of their own.
 
 mod algorithm;
 mod best;
