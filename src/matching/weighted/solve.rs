@@ -76,8 +76,9 @@ pub enum SolveError {
 /// Finds a perfect matching of least cost in a graph of at most three edges a node.
 ///
 /// Time grows little faster than n on surfaces; the worst case is O(n² log n). About 60 bytes a
-/// node with costs to 2²⁷, 100 beyond, plus 8 if many costs are nearly equal. Equal input gives
-/// equal output. `hook` is called between searches and can end the run.
+/// node with costs to 2²⁷, 100 beyond, plus 8 if many costs are nearly equal, and 8 in large graphs
+/// whose numbers lead far apart. Equal input gives equal output. `hook` is called between searches
+/// and can end the run.
 ///
 /// # Errors
 /// The edges are not symmetric; a cost or the graph is too large; the hook ended the run; or there
