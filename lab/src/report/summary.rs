@@ -84,6 +84,19 @@ impl Summary {
         self.cells.iter().filter(move |cell| cell.id.job.task() == paper.task())
     }
 
+    /// Returns a cell on each mesh of a paper, by group. O(cells · meshes).
+    ///
+    /// Several experiments may have runs on a mesh: it is there once for each group all the same.
+    pub fn meshes(&self, paper: Paper) -> Vec<&Cell> {
+        let mut meshes: Vec<&Cell> = Vec::new();
+        for cell in self.of_paper(paper) {
+            if meshes.iter().all(|seen| (seen.mesh(), seen.group) != (cell.mesh(), cell.group)) {
+                meshes.push(cell);
+            }
+        }
+        meshes
+    }
+
     /// Returns the programs and algorithms that are not ours, as they stand in tables. O(cells).
     pub fn programs(&self, paper: Paper) -> Vec<Job> {
         let mut programs: Vec<Job> =

@@ -161,6 +161,12 @@ fn whether_lrs_still_beats_ps_is_answered_from_the_records() {
     assert!(
         page_of(&with_rebuild(&results)).contains("anew for each path it is faster on 7 of 16.")
     );
+    // Another experiment on the same meshes adds no mesh.
+    let mut others = results.records.clone();
+    others.retain(|run| run.id.job.algorithm() == "sg");
+    others.iter_mut().for_each(|run| run.id.mesh.experiment = "zz".into());
+    let more = Results { records: [results.records.clone(), others].concat(), ..results.clone() };
+    assert!(page_of(&more).contains("LRS is faster on 7 of 16 meshes; with ours"));
     results.records.iter_mut().for_each(|run| run.parallel_jobs = 2);
     assert!(page_of(&results).contains("runs went on side by side, so that their times"));
     results.records.retain(|run| run.id.job.names().augmentation == Some("tarjan"));

@@ -182,9 +182,12 @@ fn files_that_cannot_be_read_or_written_are_refused() {
             "convert in.obj -o out.stl",
             &["out.stl", "read, not written", "write .obj, .ply or .off"],
         ),
-        ("convert in.obj -o missing/out.obj", &["missing/out.obj", paths]),
+        ("convert in.obj -o missing/out.obj", &["missing/out.obj", "make the folder first"]),
         ("convert in.obj -o folder.obj", &["folder.obj", "is a folder", paths]),
-        ("convert in.obj -o out.obj --stats missing/stats.json", &["missing/stats.json", paths]),
+        (
+            "convert in.obj -o out.obj --stats missing/stats.json",
+            &["missing/stats.json", "make the folder first"],
+        ),
         ("convert in.obj -o out.obj --stats folder.obj", &["folder.obj", "is a folder", paths]),
     ];
     let workshop = Workshop::new();

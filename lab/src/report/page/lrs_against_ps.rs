@@ -74,9 +74,7 @@ pub fn section<'a>(parts: &Parts<'a>) -> LrsAgainstPs<'a> {
 
 /// Returns every mesh with PS and LRS under some augmentation.
 fn duels(summary: &Summary) -> Vec<Duel<'_>> {
-    let mut meshes: Vec<&Cell> = summary.of_paper(Paper::Comparison).collect();
-    meshes.dedup_by(|a, b| (&a.id.mesh.name, a.group) == (&b.id.mesh.name, b.group));
-    let duels = meshes.into_iter().map(|mesh| {
+    let duels = summary.meshes(Paper::Comparison).into_iter().map(|mesh| {
         let pair = |augmentation: Augmentation| {
             let total = |algorithm| {
                 let job = Job::Convert { algorithm, augmentation };
