@@ -126,8 +126,12 @@ fn meshes_without_errata_are_closed_surfaces() {
 #[test]
 fn meshes_are_those_that_can_be_generated() {
     let printed: BTreeSet<String> = mesh_rows().map(|row| row.mesh).collect();
-    let known = presets::ALL.map(|mesh| mesh.name.to_owned());
-    assert_eq!(printed, BTreeSet::from(known));
+    let known = BTreeSet::from(presets::ALL.map(|mesh| mesh.name.to_owned()));
+    // What the papers draw or leave open has no row in their tables.
+    let not_printed = ["A1-drawn", "A1-equal", "A1-paired", "ir-F1", "ir-F2", "ir-F3"];
+    let others: Vec<&String> = known.difference(&printed).collect();
+    assert_eq!(others, not_printed);
+    assert!(printed.is_subset(&known));
     for row in mesh_rows() {
         let mesh = named(&row.mesh).unwrap();
         assert_eq!((row.vertices, row.genus), (mesh.vertices, mesh.genus), "{row:?}");
