@@ -10,8 +10,8 @@ root=$(dirname "$(dirname "$here")")
 
 export SCALE=${SCALE:-full}
 # One a line: $root may have blanks.
-both=$root/experiments/comparison.toml$'\n'$root/experiments/irreducible.toml
-export EXPERIMENTS=${EXPERIMENTS:-$both}
+all=$(printf '%s\n' "$root"/experiments/{comparison,irreducible,velho,walls,figure_6}.toml)
+export EXPERIMENTS=${EXPERIMENTS:-$all}
 export OUT=${OUT:-$PWD/results/slurm-$SCALE}
 export DATA=${DATA:-}
 export TRIQUAD=${TRIQUAD:-$root/target/release/triquad}
