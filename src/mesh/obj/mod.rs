@@ -36,7 +36,8 @@ use crate::parallel::threads;
 /// The first defect with its line, or an error of `input`.
 pub(super) fn read(input: &mut dyn Read) -> Result<Mesh, MeshError> {
     match threads() {
-        1 => read_blocks(input, BLOCK, BLOCK),
+        // Two threads gain nothing: what only one can do, and copies, take as long as they save.
+        1 | 2 => read_blocks(input, BLOCK, BLOCK),
         threads => read_blocks(input, 2 * threads * BLOCK, BLOCK),
     }
 }
