@@ -80,9 +80,7 @@ fn read(file: &Path) -> Result<Experiment, Failure> {
 }
 
 fn plan_of(experiments: &[Experiment], scale: Scale, data: &[DataMesh]) -> Result<Plan, Failure> {
-    Plan::new(experiments, scale, data).map_err(|error| {
-        Failure::bad(format!("{error}; name its folder with --data, or take it out"))
-    })
+    Plan::new(experiments, scale, data).map_err(|error| Failure::bad(error.to_string()))
 }
 
 /// Returns the meshes whose pictures these experiment files show; they are the papers' meshes.

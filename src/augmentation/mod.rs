@@ -1,7 +1,9 @@
 //! Second stage: augmenting paths until the matching is perfect (Lemos et al., section 3.1).
 //!
 //! All kinds of augmentation search with the alternating trees of [`matching`](crate::matching).
-//! They differ in where trees start and in what is cleared after a path.
+//! They differ in where trees start and in what is cleared after a path. Where `local` gives its
+//! search up, it takes a maximum matching from [`pairing`](crate::pairing) or from the weighted
+//! solver.
 //!
 //! [`make_maximum`] has an example. Names and means have no examples of their own.
 

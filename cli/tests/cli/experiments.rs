@@ -311,7 +311,9 @@ fn what_cannot_be_planned_or_run_is_refused_in_one_line() {
     let shop = Workshop::new();
     let bad = EXPERIMENT.replace("\"A5\"", "\"A9\"");
     std::fs::write(shop.path("bad.toml"), bad).unwrap();
-    assert!(shop.refused("run bad.toml").contains("\"A9\" is no mesh of the papers"));
+    let said = shop.refused("run bad.toml");
+    assert!(said.contains("\"A9\" is no mesh of the papers"), "{said}");
+    assert_eq!(said.matches("--data").count(), 1, "{said}");
     std::fs::write(shop.path("torn.toml"), "name = ").unwrap();
     assert!(shop.refused("plan torn.toml").contains("torn.toml: line 1: "));
     assert!(shop.refused("run missing.toml").contains("missing.toml: "));

@@ -39,7 +39,7 @@ macro_rules! time {
 }
 
 /// All of them.
-static NUMBERS: [Number; 21] = [
+static NUMBERS: [Number; 20] = [
     count!(vertices),
     count!(edges),
     count!(triangles),
@@ -61,7 +61,6 @@ static NUMBERS: [Number; 21] = [
     count!(result_vertices),
     count!(peak_memory_bytes),
     time!(pairing_seconds, |run| run.measured.pairing_seconds),
-    time!(shuffle_seconds, |run| run.measured.shuffle_seconds),
     time!(augmentation_seconds, RunRecord::whole_augmentation_seconds),
     time!(total_seconds, RunRecord::whole_total_seconds),
     time!(seconds, |run| run.measured.seconds),
