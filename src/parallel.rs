@@ -35,8 +35,7 @@ pub(crate) fn beside<A: Send, B>(
         });
         return (done.expect("the scope waits for it"), owned);
     }
-    let owned = own();
-    (work(), owned)
+    (work(), own())
 }
 
 /// Divides `0..length` into ranges, one for each thread if there are indices enough.

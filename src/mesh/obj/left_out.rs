@@ -52,13 +52,13 @@ impl Absent {
     }
 
     /// Finds the lines of what was noted in `block`, and drops what is given by now.
-    pub(super) fn settle(&mut self, block: Block<'_>, given: usize) {
+    pub(super) fn settle(&mut self, block: &Block, given: usize) {
         let met = self.beyond.partition_point(|&(index, _)| (index as usize) < given);
         self.beyond.drain(..met);
         self.settled = self.settled.saturating_sub(met);
         let mut lines = block.lines();
         for (_, mark) in &mut self.beyond[self.settled..] {
-            mark.line = lines.at(block.text.len() - mark.left);
+            mark.line = lines.at(block.text().len() - mark.left);
         }
         self.settled = self.beyond.len();
     }
@@ -109,11 +109,11 @@ impl Skipped {
     }
 
     /// Finds the line of what was noted in `block`.
-    pub(super) fn settle(&mut self, block: Block<'_>) {
+    pub(super) fn settle(&mut self, block: &Block) {
         if let Some((_, mark)) = &mut self.first
             && !std::mem::replace(&mut self.settled, true)
         {
-            mark.line = block.line_at(block.text.len() - mark.left);
+            mark.line = block.line_at(block.text().len() - mark.left);
         }
     }
 

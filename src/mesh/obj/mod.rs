@@ -20,7 +20,7 @@ mod write;
 
 use std::io::Read;
 
-use blocks::{BLOCK, Blocks};
+use blocks::{BLOCK, Block, Blocks};
 use chunks::read_chunks;
 use cursor::Cursor;
 use parser::Parser;
@@ -28,7 +28,7 @@ pub(super) use write::write;
 
 use super::error::MeshError;
 use super::polygon_mesh::Mesh;
-use crate::parallel::threads;
+use crate::parallel::{beside, threads};
 
 /// Reads an OBJ file, a block at a time: the text is never held as a whole.
 ///
@@ -36,29 +36,46 @@ use crate::parallel::threads;
 /// The first defect with its line, or an error of `input`.
 pub(super) fn read(input: &mut dyn Read) -> Result<Mesh, MeshError> {
     match threads() {
-        // Two threads gain nothing: what only one can do, and copies, take as long as they save.
-        1 | 2 => read_blocks(input, BLOCK, BLOCK),
+        1 => read_blocks(input, BLOCK, BLOCK),
+        // One reads the file, and the other has no parts to put together.
+        2 => read_blocks(input, 8 * BLOCK, usize::MAX),
         threads => read_blocks(input, 2 * threads * BLOCK, BLOCK),
     }
 }
 
 /// Reads an OBJ file by blocks of `block` bytes, each in chunks of `chunk` bytes; of 0, by the
 /// line.
+///
+/// The next block is read from the file while one is parsed.
 fn read_blocks(input: &mut dyn Read, block: usize, chunk: usize) -> Result<Mesh, MeshError> {
     let mut parser = Parser::default();
     let mut blocks = Blocks::new(block);
-    while let Some(block) = blocks.next(input)? {
-        let mut cursor = Cursor { rest: block.text };
-        if block.lines_before == 0 {
-            cursor.skip_byte_order_mark();
-        }
-        let is_read = read_chunks(&mut parser, cursor.rest, chunk);
-        let fault = if is_read { None } else { parser.lines(&mut cursor).err() };
-        parser.settle(block);
-        if let Some(fault) = fault {
-            let line = block.line_at(block.text.len() - cursor.rest.len());
-            return Err(parser.explain(fault.at(line)));
-        }
+    let mut room = Block::default();
+    let mut next = blocks.next(input, Block::default())?;
+    while let Some(block) = next {
+        let parse = || parse(&mut parser, &block, chunk);
+        let (parsed, read) = beside(parse, || blocks.next(input, std::mem::take(&mut room)));
+        parsed?;
+        next = read?;
+        room = block;
     }
     Ok(parser.finish())
+}
+
+/// Reads the lines of a block.
+fn parse(parser: &mut Parser, block: &Block, chunk: usize) -> Result<(), MeshError> {
+    let mut cursor = Cursor { rest: block.text() };
+    if block.is_first() {
+        cursor.skip_byte_order_mark();
+    }
+    let is_read = read_chunks(parser, cursor.rest, chunk);
+    let fault = if is_read { None } else { parser.lines(&mut cursor).err() };
+    parser.settle(block);
+    match fault {
+        None => Ok(()),
+        Some(fault) => {
+            let line = block.line_at(block.text().len() - cursor.rest.len());
+            Err(parser.explain(fault.at(line)))
+        }
+    }
 }

@@ -174,7 +174,7 @@ impl Parser {
     }
 
     /// Finds the lines of what was noted in `block`.
-    pub(super) fn settle(&mut self, block: Block<'_>) {
+    pub(super) fn settle(&mut self, block: &Block) {
         self.absent_texture.settle(block, self.attributes.texture_coordinates.len());
         self.absent_normals.settle(block, self.attributes.normals.len());
         self.skipped.settle(block);

@@ -21,7 +21,8 @@ const LINES: usize = 1 << 10;
 pub(in crate::mesh) fn write(out: &mut dyn Write, mesh: &Mesh) -> io::Result<()> {
     match threads() {
         1 => write_pieces(out, mesh, LINES, 1),
-        threads => write_pieces(out, mesh, 4 * LINES, 2 * threads),
+        // Larger ones: threads that wait for each other lose much more than the cache saves.
+        threads => write_pieces(out, mesh, 16 * LINES, (2 * threads).max(16)),
     }
 }
 
