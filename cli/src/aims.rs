@@ -78,8 +78,8 @@ impl CostKind {
     /// Sets the cost of `aims`; reads it if it is in a file.
     pub fn enter(&self, aims: &mut Aims<'static>) -> Result<(), Failure> {
         match self {
-            Self::Default => aims.cost = &DefaultCost,
-            Self::Shape => aims.cost = &ShapeCost,
+            Self::Default => aims.cost = None,
+            Self::Shape => aims.cost = Some(&ShapeCost),
             Self::Listed(path) => aims.listed_costs = Some(read_costs(path)?),
         }
         Ok(())

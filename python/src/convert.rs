@@ -94,7 +94,7 @@ impl Options<'_> {
         match &self.cost {
             Costs::Named(name) if name == "default" => {}
             Costs::Named(name) if name == "shape" => {
-                aims.cost = &ShapeCost;
+                aims.cost = Some(&ShapeCost);
                 unit = ShapeCost::UNIT;
             }
             Costs::Named(name) => {

@@ -112,7 +112,7 @@ impl<'a> Converter<'a> {
     /// Sets what `best` minimises the sum of, in place of [`DefaultCost`](crate::DefaultCost).
     #[must_use]
     pub fn cost(self, cost: &'a dyn Cost) -> Self {
-        Self { aims: Aims { cost, ..self.aims }, ..self }
+        Self { aims: Aims { cost: Some(cost), ..self.aims }, ..self }
     }
 
     /// Sets all aims of `best` together: its cost, edges to keep, triangles that may be left.

@@ -4,9 +4,9 @@ use std::iter::Enumerate;
 use std::path::Path;
 use std::str::{FromStr, Lines};
 
+use triquad::ShapeCost;
 use triquad::convert::Aims;
 use triquad::matching::weighted::{Barrier, Certificate, Integers, NONE};
-use triquad::{DefaultCost, ShapeCost};
 
 use super::format::FIRST_LINE;
 use crate::failure::Failure;
@@ -70,8 +70,8 @@ impl Reader<'_> {
         let mut costs_are_listed = false;
         loop {
             match self.words[..] {
-                ["cost", "default"] => aims.cost = &DefaultCost,
-                ["cost", "shape"] => aims.cost = &ShapeCost,
+                ["cost", "default"] => aims.cost = None,
+                ["cost", "shape"] => aims.cost = Some(&ShapeCost),
                 ["cost", "listed"] => costs_are_listed = true,
                 ["keep-sharp", degrees] => aims.keep.sharp = Some(self.number(degrees)?),
                 ["keep-seams"] => aims.keep.seams = true,
