@@ -4,7 +4,7 @@
 //! matching then answers all of them, and one certificate proves it.
 
 use crate::dual::{DualGraph, Matching};
-use crate::matching::weighted::{CubicProblem, Edge, NONE, Problem};
+use crate::matching::weighted::{CubicProblem, Edge, NONE, Problem, cubic_edges};
 use crate::triangulation::{EdgeSet, HalfEdgeId, TriangleId};
 
 /// Triangles that a pairing may leave unpaired.
@@ -178,13 +178,11 @@ impl Problem for ObjectiveProblem<'_> {
     }
 
     fn edges(&self) -> impl Iterator<Item = Edge> {
-        (0..self.dual.len() as u32).flat_map(move |node| {
-            let (neighbours, costs) = (self.neighbours(node), self.costs(node));
-            let from_here =
-                move |&side: &usize| neighbours[side] != NONE && node < neighbours[side];
-            let edge = move |side| Edge { ends: [node, neighbours[side]], cost: costs[side] };
-            (0..3).filter(from_here).map(edge)
-        })
+        cubic_edges(self, 0, 1)
+    }
+
+    fn edges_in(&self, part: usize, parts: usize) -> impl Iterator<Item = Edge> {
+        cubic_edges(self, part, parts)
     }
 
     fn price(&self, _node: u32) -> Option<i128> {

@@ -1,7 +1,7 @@
 //! Dual graphs of triangulations with costs on the sides of triangles.
 
 use super::prices::Prices;
-use super::problem::{CubicProblem, Edge, Mates, NONE, Problem};
+use super::problem::{CubicProblem, Edge, Mates, NONE, Problem, cubic_edges};
 use super::solve::Solution;
 use crate::dual::{DualGraph, Matching, PerfectMatching};
 use crate::triangulation::TriangleId;
@@ -78,14 +78,11 @@ impl<C: Copy + Into<i128> + Sync> Problem for DualProblem<'_, C> {
     }
 
     fn edges(&self) -> impl Iterator<Item = Edge> {
-        (0..self.graph.len() as u32).flat_map(move |node| {
-            let neighbours = self.neighbours(node);
-            let costs = self.costs(node);
-            let from_here =
-                move |&side: &usize| node < neighbours[side] && neighbours[side] != NONE;
-            let edge = move |side| Edge { ends: [node, neighbours[side]], cost: costs[side] };
-            (0..3).filter(from_here).map(edge)
-        })
+        cubic_edges(self, 0, 1)
+    }
+
+    fn edges_in(&self, part: usize, parts: usize) -> impl Iterator<Item = Edge> {
+        cubic_edges(self, part, parts)
     }
 
     fn price(&self, node: u32) -> Option<i128> {

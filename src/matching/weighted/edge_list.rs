@@ -1,7 +1,7 @@
 //! Any graph, given by a list of its edges.
 
 use super::prices::Prices;
-use super::problem::{Edge, Problem};
+use super::problem::{Edge, Problem, range_of};
 
 /// A graph given by a list of edges and their costs.
 ///
@@ -34,14 +34,19 @@ impl<'a, C: Copy + Into<i128>> EdgeList<'a, C> {
     }
 }
 
-impl<C: Copy + Into<i128>> Problem for EdgeList<'_, C> {
+impl<C: Copy + Into<i128> + Sync> Problem for EdgeList<'_, C> {
     fn node_count(&self) -> usize {
         self.node_count
     }
 
     fn edges(&self) -> impl Iterator<Item = Edge> {
+        self.edges_in(0, 1)
+    }
+
+    fn edges_in(&self, part: usize, parts: usize) -> impl Iterator<Item = Edge> {
         let edge = |(&(u, v), &cost): (&(u32, u32), &C)| Edge { ends: [u, v], cost: cost.into() };
-        self.edges.iter().zip(self.costs).map(edge)
+        let range = range_of(part, parts, self.edges.len());
+        self.edges[range.clone()].iter().zip(&self.costs[range]).map(edge)
     }
 
     fn price(&self, node: u32) -> Option<i128> {

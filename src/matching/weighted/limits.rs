@@ -14,12 +14,17 @@ pub(super) struct Limits {
     /// The remaining roots grow together as soon as their number times the limit exceeds this many
     /// times the number of nodes.
     pub(super) patience: u32,
-    /// Nodes in a part, at least.
+    /// Nodes that are divided into parts, at least.
+    pub(super) divided: usize,
+    /// Nodes in a part, about, if there are more than two. The smaller the parts, the more searches
+    /// meet their borders and have to be made again by one thread.
     pub(super) part: usize,
     /// Parts that the nodes are divided into, at most.
     pub(super) parts: usize,
     /// Trees in a part may visit one node in so many of it; larger ones mostly meet its border.
     pub(super) share: usize,
+    /// Nodes in a patch, of which parts are made. Their rows fit in the cache of a core.
+    pub(super) patch: usize,
     /// Parts are worth it if at most one node in so many is on a border.
     pub(super) border: usize,
 }
@@ -31,9 +36,11 @@ impl Limits {
         factor: 4,
         single_rounds: 2,
         patience: 3,
-        part: 1 << 18,
+        divided: 1 << 18,
+        part: 1 << 20,
         parts: 16,
         share: 16,
+        patch: 1 << 10,
         border: 10,
     };
 
@@ -42,10 +49,13 @@ impl Limits {
         limit.saturating_mul(self.factor)
     }
 
-    /// Returns how many parts to divide so many nodes into. It does not depend on the machine.
+    /// Returns how many parts to divide so many nodes into: 1, 2, 4, and so on. It does not depend
+    /// on the machine.
     pub(super) fn parts(self, nodes: usize) -> usize {
-        // An even number keeps two threads equally busy.
-        (nodes / self.part).next_multiple_of(2).clamp(1, self.parts)
+        match nodes / self.part {
+            0 if nodes < self.divided => 1,
+            many => many.next_power_of_two().max(2).min(self.parts),
+        }
     }
 
     /// Returns the nodes of each part, about equally many, in order.

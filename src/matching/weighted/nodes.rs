@@ -41,7 +41,7 @@ impl Label {
 }
 
 /// An array of nodes.
-pub(super) trait Nodes {
+pub(super) trait Nodes: Sync {
     /// The integers of costs and potentials.
     type N: Number;
     /// Greatest number of a set that a node can store.

@@ -4,18 +4,15 @@
 //! that meshes from arrays or scanners give to triangles mostly do as places. Shuffled ones do not.
 //! Places depend on the graph alone, so results are the same on any number of threads.
 
-use std::collections::VecDeque;
 use std::ops::Range;
 
 use super::blossoms::Outcome;
 use super::certificate::{Certificate, Integers};
 use super::limits::Limits;
-use super::problem::{CubicProblem, NONE};
+use super::patches::Patches;
+use super::problem::CubicProblem;
 use super::refusal::Refusal;
 use crate::parallel::{collect, map};
-
-/// Nodes in a patch. Their rows fit in the cache of a core.
-const PATCH: usize = 1 << 10;
 
 /// The places of the nodes of a problem. 8 bytes a node, none if all are at their own numbers.
 #[derive(Default)]
@@ -36,50 +33,13 @@ impl Places {
             range.clone().filter(is_on_border).count()
         };
         let border: usize = map(limits.ranges(count).collect(), border).into_iter().sum();
-        if limits.allow(border, count) { Self::default() } else { Self::by_patches(problem) }
-    }
-
-    /// Places patches one after the other, each breadth first from a node beside the earlier ones.
-    fn by_patches(problem: &impl CubicProblem) -> Self {
-        let count = problem.node_count();
-        let mut all = Self { nodes: Vec::with_capacity(count), places: vec![NONE; count] };
-        let mut seeds = VecDeque::new();
-        for node in 0..count as u32 {
-            seeds.push_back(node);
-            while let Some(seed) = seeds.pop_front() {
-                all.place_patch(problem, seed, &mut seeds);
-            }
+        if limits.allow(border, count) {
+            return Self::default();
         }
-        all
-    }
-
-    /// Places the nodes around `seed`, unless that has a place, and adds those behind to `seeds`.
-    fn place_patch(&mut self, problem: &impl CubicProblem, seed: u32, seeds: &mut VecDeque<u32>) {
-        let start = self.nodes.len();
-        self.place(seed);
-        let mut next = start;
-        while let Some(&node) = self.nodes.get(next) {
-            next += 1;
-            for neighbour in problem.neighbours(node) {
-                if self.places.get(neighbour as usize) != Some(&NONE) {
-                    continue;
-                }
-                if self.nodes.len() < start + PATCH {
-                    self.place(neighbour);
-                } else {
-                    seeds.push_back(neighbour);
-                }
-            }
-        }
-    }
-
-    /// Gives a node the next place, unless it has one.
-    fn place(&mut self, node: u32) {
-        let place = &mut self.places[node as usize];
-        if *place == NONE {
-            *place = self.nodes.len() as u32;
-            self.nodes.push(node);
-        }
+        let nodes = Patches::new(problem, limits.patch).into_parts(limits.parts(count));
+        let mut places = vec![0; count];
+        (0..).zip(&nodes).for_each(|(place, &node)| places[node as usize] = place);
+        Self { nodes, places }
     }
 
     /// Returns the node at a place.

@@ -1,5 +1,7 @@
 //! The problem: a graph, an integer cost on every edge, a price for nodes that may stay unpaired.
 
+use std::ops::Range;
+
 /// Stands for "no node": the neighbour across a boundary, the mate of an unpaired node.
 pub const NONE: u32 = u32::MAX;
 
@@ -17,16 +19,24 @@ pub struct Edge {
     pub cost: i128,
 }
 
-/// A graph with costs, as the check reads it.
+/// A graph with costs, as the check reads it, on several threads at once.
 ///
 /// Parallel edges are allowed, even at different costs. Loops have no part in any matching: they
 /// are ignored everywhere.
-pub trait Problem {
+pub trait Problem: Sync {
     /// Returns the number of nodes; they are numbered from 0.
     fn node_count(&self) -> usize;
 
     /// Returns every edge once, in any order.
     fn edges(&self) -> impl Iterator<Item = Edge>;
+
+    /// Returns the edges in one of several parts: each is in one of them, in the order of
+    /// [`Problem::edges`].
+    ///
+    /// Each thread of the check reads a part. Unless this is implemented, the first part has all.
+    fn edges_in(&self, part: usize, _parts: usize) -> impl Iterator<Item = Edge> {
+        self.edges().take(if part == 0 { usize::MAX } else { 0 })
+    }
 
     /// Returns the price of leaving a node unpaired, or `None` if it must be paired.
     fn price(&self, node: u32) -> Option<i128>;
@@ -34,9 +44,8 @@ pub trait Problem {
 
 /// A graph in which each node has at most three sides, each with an edge or without.
 ///
-/// Side `i` of a node and the same edge's side of the neighbour must have equal costs. Several
-/// threads read at once.
-pub trait CubicProblem: Problem + Sync {
+/// Side `i` of a node and the same edge's side of the neighbour must have equal costs.
+pub trait CubicProblem: Problem {
     /// Returns the neighbours across the three sides, [`NONE`] where there is no edge.
     fn neighbours(&self, node: u32) -> [u32; 3];
 
@@ -44,8 +53,29 @@ pub trait CubicProblem: Problem + Sync {
     fn costs(&self, node: u32) -> [i128; 3];
 }
 
+/// Returns the edges in one of several parts, each edge at the lower of its nodes.
+pub(crate) fn cubic_edges(
+    problem: &impl CubicProblem,
+    part: usize,
+    parts: usize,
+) -> impl Iterator<Item = Edge> {
+    range_of(part, parts, problem.node_count()).flat_map(move |node| {
+        let node = node as u32;
+        let (neighbours, costs) = (problem.neighbours(node), problem.costs(node));
+        let from_here = move |&side: &usize| neighbours[side] != NONE && node < neighbours[side];
+        let edge = move |side| Edge { ends: [node, neighbours[side]], cost: costs[side] };
+        (0..3).filter(from_here).map(edge)
+    })
+}
+
+/// Returns the range of `0..count` that is one of so many about equal parts.
+pub(crate) fn range_of(part: usize, parts: usize, count: usize) -> Range<usize> {
+    let end = |part: usize| (count as u128 * part as u128 / parts as u128) as usize;
+    end(part)..end(part + 1)
+}
+
 /// A matching, read node by node.
-pub trait Mates {
+pub trait Mates: Sync {
     /// Returns the number of nodes, paired or not.
     fn node_count(&self) -> usize;
 

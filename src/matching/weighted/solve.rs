@@ -116,12 +116,15 @@ pub(super) fn cubic_solution(
         return Err(SolveError::TooLarge);
     }
     let places = Places::of(problem, limits);
-    let mut outcome = run_narrow(Rows::new(problem, &places), limits, observer);
+    let ranges = || limits.ranges(problem.node_count());
+    let mut outcome = run_narrow(Rows::new(problem, &places, ranges()), limits, observer);
     if is_too_narrow(&outcome) {
-        outcome = run_whole(Rows::<Wrapping<i64>>::new(problem, &places), limits, observer);
+        let rows = Rows::<Wrapping<i64>>::new(problem, &places, ranges());
+        outcome = run_whole(rows, limits, observer);
     }
     if is_too_narrow(&outcome) {
-        outcome = run_whole(Rows::<Wrapping<i128>>::new(problem, &places), limits, observer);
+        let rows = Rows::<Wrapping<i128>>::new(problem, &places, ranges());
+        outcome = run_whole(rows, limits, observer);
     }
     places.restore(outcome).map(solution).map_err(error)
 }

@@ -7,6 +7,7 @@ use super::super::problem::NONE as NO_NODE;
 use super::super::refusal::Refusal;
 use super::super::work::Work;
 use super::search::Trees;
+use crate::parallel::collect;
 
 /// A matching of least cost and its proof.
 pub(crate) struct Outcome {
@@ -30,14 +31,12 @@ impl<S: Nodes> Trees<S> {
     pub(crate) fn finish(mut self) -> Result<Outcome, Refusal> {
         let sets = self.odd_sets()?;
         let nodes = &self.family.nodes;
-        let mut potentials = Vec::with_capacity(nodes.len() as usize);
-        let mut mates = Vec::with_capacity(nodes.len() as usize);
-        for node in 0..nodes.len() {
-            potentials.push(nodes.potential(node));
-            let mate = nodes.mate(node);
-            let is_paired = !nodes.is_no_mate(mate);
-            mates.push(if is_paired { nodes.head(mate) } else { NO_NODE });
-        }
+        let count = nodes.len() as usize;
+        let potentials = collect(count, |node| nodes.potential(node as u32));
+        let mates = collect(count, |node| {
+            let mate = nodes.mate(node as u32);
+            if nodes.is_no_mate(mate) { NO_NODE } else { nodes.head(mate) }
+        });
         let sum: i128 = potentials.iter().map(|potential| potential.widen()).sum();
         let certificate = Certificate {
             potentials: S::N::integers(potentials.into_iter()),

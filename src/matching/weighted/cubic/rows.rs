@@ -10,7 +10,7 @@ use super::super::problem::{CubicProblem, NONE as NO_NODE};
 use super::super::refusal::Refusal;
 use super::row::{Row, SET};
 use super::view::Cubic;
-use crate::parallel::collect;
+use crate::parallel::{collect, map};
 
 /// A graph in which no node has more than three sides.
 pub(crate) struct Rows<N: Number> {
@@ -24,7 +24,13 @@ impl<N: Number> Rows<N> {
     pub(crate) const MOST_NODES: usize = (u32::MAX / 5) as usize;
 
     /// Reads a problem, its nodes in their places. O(n).
-    pub(crate) fn new(problem: &impl CubicProblem, places: &Places) -> Result<Self, Refusal> {
+    ///
+    /// Edges inside each of the `ranges`, which divide all places, are joined at once.
+    pub(crate) fn new(
+        problem: &impl CubicProblem,
+        places: &Places,
+        ranges: impl Iterator<Item = Range<u32>>,
+    ) -> Result<Self, Refusal> {
         let count = problem.node_count();
         let is_too_narrow = AtomicBool::new(false);
         let mut rows = collect(count, |place| row(problem, places, place as u32, &is_too_narrow));
@@ -32,7 +38,7 @@ impl<N: Number> Rows<N> {
             return Err(Refusal::TooNarrow);
         }
         let all = 0..count as u32;
-        all.clone().try_for_each(|place| join(&mut rows, place))?;
+        join_all(&mut rows, ranges)?;
         let price = |place| problem.price(places.node_at(place));
         let prices = if all.clone().any(|place| price(place).is_some()) {
             all.map(|place| price(place).map(doubled).transpose()).collect::<Result<_, _>>()?
@@ -60,14 +66,22 @@ impl<N: Number> Rows<N> {
     ) -> Vec<Cubic<'_, N, true>> {
         let Self { rows, prices } = self;
         let count = rows.len() as u32;
-        let mut rest = rows.as_mut_slice();
-        let view = |range: Range<u32>| {
-            let (rows, tail) = std::mem::take(&mut rest).split_at_mut(range.len());
-            rest = tail;
-            Cubic { rows, prices, first: range.start, count }
-        };
-        ranges.map(view).collect()
+        let view =
+            |(range, rows): (Range<u32>, _)| Cubic { rows, prices, first: range.start, count };
+        divide(rows, ranges).map(view).collect()
     }
+}
+
+/// Divides rows into those of each range.
+fn divide<N: Number>(
+    mut rows: &mut [Row<N>],
+    ranges: impl Iterator<Item = Range<u32>>,
+) -> impl Iterator<Item = (Range<u32>, &mut [Row<N>])> {
+    ranges.map(move |range| {
+        let (own, rest) = std::mem::take(&mut rows).split_at_mut(range.len());
+        rows = rest;
+        (range, own)
+    })
 }
 
 /// State of a node without mate, label, mark and set.
@@ -100,24 +114,60 @@ fn row<N: Number>(
     row
 }
 
-/// Makes twins of a node's sides to later nodes; those to earlier ones have been made.
+/// Makes twins of all sides: first in each of the ranges, then between them.
 ///
-/// Several edges between two nodes correspond by cost, equal ones in the order of the sides. Bit i
-/// of a state is set if side i has its twin.
+/// Several edges between two nodes correspond by cost, equal ones in the order of the sides.
+fn join_all<N: Number>(
+    rows: &mut [Row<N>],
+    ranges: impl Iterator<Item = Range<u32>>,
+) -> Result<(), Refusal> {
+    let count = rows.len() as u32;
+    let join_part = |(range, rows): (Range<u32>, &mut [Row<N>])| {
+        let mut open = Vec::new();
+        for node in range.clone() {
+            if !join(rows, range.start, count, node)? {
+                open.push(node);
+            }
+        }
+        Ok(open)
+    };
+    let open = map(divide(rows, ranges).collect(), join_part);
+    let open = open.into_iter().collect::<Result<Vec<_>, _>>()?;
+    open.into_iter().flatten().try_for_each(|node| join(rows, 0, count, node).map(|_| ()))
+}
+
+/// Makes twins of a node's sides to later nodes in these rows, which begin with that of `first`;
+/// those to earlier ones have been made. Returns whether all its sides have their twins then.
+///
+/// Bit i of a state is set if side i has its twin.
 #[inline]
-fn join<N: Number>(rows: &mut [Row<N>], node: u32) -> Result<(), Refusal> {
-    let row = rows[node as usize];
-    let joined: u64 = row.state.into();
+fn join<N: Number>(
+    rows: &mut [Row<N>],
+    first: u32,
+    count: u32,
+    node: u32,
+) -> Result<bool, Refusal> {
+    let range = first..first + rows.len() as u32;
+    let row = rows[(node - first) as usize];
+    let mut joined: u64 = row.state.into();
+    let mut is_whole = true;
     for side in 0..3 {
         let neighbour = row.twins[side];
         if joined >> side & 1 != 0 || neighbour == NONE {
+            continue;
+        }
+        if neighbour >= count {
+            return Err(Refusal::NoSuchNode(neighbour));
+        }
+        if !range.contains(&neighbour) {
+            is_whole = false;
             continue;
         }
         let asymmetric = Refusal::Asymmetric(node, neighbour);
         if neighbour < node {
             return Err(asymmetric);
         }
-        let other = rows.get_mut(neighbour as usize).ok_or(Refusal::NoSuchNode(neighbour))?;
+        let other = &mut rows[(neighbour - first) as usize];
         let theirs: u64 = other.state.into();
         let is_back = |&i: &usize| {
             let is_open = theirs >> i & 1 == 0;
@@ -126,8 +176,9 @@ fn join<N: Number>(rows: &mut [Row<N>], node: u32) -> Result<(), Refusal> {
         let back = (0..3).find(is_back).ok_or(asymmetric)?;
         other.twins[back] = 4 * node + side as u32;
         other.state = N::state(theirs | 1 << back);
-        rows[node as usize].twins[side] = 4 * neighbour + back as u32;
+        rows[(node - first) as usize].twins[side] = 4 * neighbour + back as u32;
+        joined |= 1 << side;
     }
-    rows[node as usize].state = N::state(EMPTY);
-    Ok(())
+    rows[(node - first) as usize].state = N::state(if is_whole { EMPTY } else { joined });
+    Ok(is_whole)
 }

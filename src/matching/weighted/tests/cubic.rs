@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use super::super::limits::Limits;
 use super::super::observer::Observer;
-use super::super::problem::Problem;
+use super::super::problem::{NONE, Problem};
 use super::super::solve::{Solution, SolveError, cubic_solution};
 use super::super::verify::verify;
 use super::brute_force::least_cost;
@@ -18,16 +18,18 @@ pub(super) fn limits() -> impl Strategy<Value = Limits> {
     let patience = prop_oneof![Just(0), Just(3), Just(u32::MAX)];
     // Divided as they are; renumbered and divided; renumbered and not divided.
     let border = prop_oneof![Just(1), Just(3), Just(usize::MAX)];
-    let parts = (1..40_usize, 1..6_usize, 1..3_usize, border);
+    let parts = (1..40_usize, 1..6_usize, 1..3_usize, 1..8_usize, border);
     (first, 2..5_usize, 0..3_u32, patience, parts).prop_map(
-        |(first, factor, single_rounds, patience, (part, parts, share, border))| Limits {
+        |(first, factor, single_rounds, patience, (part, parts, share, patch, border))| Limits {
             first,
             factor,
             single_rounds,
             patience,
+            divided: part,
             part,
             parts,
             share,
+            patch,
             border,
         },
     )
@@ -70,6 +72,34 @@ proptest! {
         graph in cubic_graph(1..7), limits in limits(),
     ) {
         prop_assert_eq!(proven(&graph, solve(&graph, limits))?, least_cost(&graph));
+    }
+
+    #[test]
+    fn sides_that_disagree_are_refused_in_any_parts(
+        graph in cubic_graph(2..30), limits in limits(), at in any::<prop::sample::Index>(),
+        is_absent: bool,
+    ) {
+        let mut graph = graph;
+        let ends: Vec<(usize, usize)> = (0..graph.neighbours.len())
+            .flat_map(|node| [0, 1, 2].map(|side| (node, side)))
+            .filter(|&(node, side)| graph.neighbours[node][side] != NONE)
+            .collect();
+        prop_assume!(!ends.is_empty());
+        let (node, side) = ends[at.index(ends.len())];
+        let count = graph.neighbours.len() as u32;
+        if is_absent {
+            graph.neighbours[node][side] = count;
+        } else {
+            graph.costs[node][side] += 1;
+        }
+        let refusal = solve(&graph, limits).unwrap_err();
+        let is_named = match refusal {
+            SolveError::NoSuchNode(named) => is_absent && named == count,
+            SolveError::Asymmetric(one, other) => one.max(other) < count,
+            SolveError::TooCostly => !is_absent,
+            _ => false,
+        };
+        prop_assert!(is_named, "{refusal:?}");
     }
 
     #[test]

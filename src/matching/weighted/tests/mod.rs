@@ -4,6 +4,7 @@ mod brute_force;
 mod cubic;
 mod dual;
 mod graphs;
+mod patches;
 mod sparse;
 mod special;
 mod tampering;

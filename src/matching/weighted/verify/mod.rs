@@ -12,8 +12,12 @@
 
 mod nesting;
 
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::certificate::Certificate;
 use super::problem::{Edge, Mates, NONE, Problem};
+use crate::parallel::{collect, map, ranges};
 use nesting::Nesting;
 
 /// A reason why a matching and a certificate prove nothing.
@@ -85,7 +89,7 @@ pub fn verify(
     let unpaired = unpaired_cost(problem, matching, certificate)?;
     let paired = paired_cost(problem, matching, certificate, &sets)?;
     let cost = unpaired.checked_add(paired).ok_or(E::Overflow)?;
-    let bound = sets.bound(certificate).ok_or(E::Overflow)?;
+    let bound = sets.bound(certificate)?;
     if cost == bound { Ok(()) } else { Err(E::Gap) }
 }
 
@@ -134,14 +138,20 @@ impl OddSets {
         room.checked_sub(u)?.checked_sub(v)
     }
 
-    /// Returns Σ y + Σ z, or nothing if that is too large.
-    fn bound(&self, certificate: &Certificate) -> Option<i128> {
+    /// Returns Σ y + Σ z.
+    fn bound(&self, certificate: &Certificate) -> Result<i128, CertificateError> {
         let mut values = (0..certificate.values.len()).map(|set| certificate.values.at(set));
-        let sets = values.try_fold(0_i128, |sum, z| sum.checked_add(z))?;
-        certificate.innermost.iter().enumerate().try_fold(sets, |sum, (node, &set)| {
-            let inside = if set == NONE { 0 } else { self.inside[set as usize] };
-            sum.checked_add(certificate.potentials.at(node).checked_sub(inside)?)
-        })
+        let sets = values.try_fold(0_i128, i128::checked_add).ok_or(E::Overflow)?;
+        let potentials_in = |range: Range<usize>| {
+            range.into_iter().try_fold(0_i128, |sum, node| {
+                let set = certificate.innermost[node];
+                let inside = if set == NONE { 0 } else { self.inside[set as usize] };
+                let potential = certificate.potentials.at(node).checked_sub(inside);
+                potential.and_then(|y| sum.checked_add(y)).ok_or(E::Overflow)
+            })
+        };
+        let nodes = sum(map(ranges(certificate.innermost.len()), potentials_in))?;
+        sets.checked_add(nodes).ok_or(E::Overflow)
     }
 }
 
@@ -171,27 +181,30 @@ fn unpaired_cost(
     certificate: &Certificate,
 ) -> Result<i128, CertificateError> {
     let nodes = problem.node_count() as u32;
-    let mut cost = 0_i128;
-    for node in 0..nodes {
-        let mate = matching.mate(node);
-        if mate != NONE && (mate >= nodes || mate == node || matching.mate(mate) != node) {
-            return Err(E::NoPair(node));
-        }
-        let Some(price) = problem.price(node) else {
-            if mate == NONE {
-                return Err(E::MustBePaired(node));
+    let cost_in = |range: Range<usize>| {
+        let mut cost = 0_i128;
+        for node in range.start as u32..range.end as u32 {
+            let mate = matching.mate(node);
+            if mate != NONE && (mate >= nodes || mate == node || matching.mate(mate) != node) {
+                return Err(E::NoPair(node));
             }
-            continue;
-        };
-        let price = price.checked_mul(2).ok_or(E::Overflow)?;
-        if price < certificate.potentials.at(node as usize) {
-            return Err(E::Price(node));
+            let Some(price) = problem.price(node) else {
+                if mate == NONE {
+                    return Err(E::MustBePaired(node));
+                }
+                continue;
+            };
+            let price = price.checked_mul(2).ok_or(E::Overflow)?;
+            if price < certificate.potentials.at(node as usize) {
+                return Err(E::Price(node));
+            }
+            if mate == NONE {
+                cost = cost.checked_add(price).ok_or(E::Overflow)?;
+            }
         }
-        if mate == NONE {
-            cost = cost.checked_add(price).ok_or(E::Overflow)?;
-        }
-    }
-    Ok(cost)
+        Ok(cost)
+    };
+    sum(map(ranges(problem.node_count()), cost_in))
 }
 
 /// Checks all edges; returns the cost of the pairs, in halves.
@@ -203,23 +216,37 @@ fn paired_cost(
     certificate: &Certificate,
     sets: &OddSets,
 ) -> Result<i128, CertificateError> {
-    let nodes = problem.node_count() as u32;
-    let mut cost = 0_i128;
-    let mut tight = vec![false; nodes as usize];
-    for edge in problem.edges().filter(|edge| edge.ends[0] != edge.ends[1]) {
-        let [u, v] = edge.ends;
-        let slack = sets.slack(certificate, edge).ok_or(E::Overflow)?;
-        if slack < 0 {
-            return Err(E::Edge(u, v));
+    // At the lower node of each pair.
+    let tight: Vec<AtomicBool> = collect(problem.node_count(), |_| AtomicBool::new(false));
+    let parts = ranges(problem.node_count()).len();
+    let cost_in = |part| {
+        let mut cost = 0_i128;
+        for edge in problem.edges_in(part, parts).filter(|edge| edge.ends[0] != edge.ends[1]) {
+            let [u, v] = edge.ends;
+            let slack = sets.slack(certificate, edge).ok_or(E::Overflow)?;
+            if slack < 0 {
+                return Err(E::Edge(u, v));
+            }
+            let is_first = || !tight[u.min(v) as usize].swap(true, Ordering::Relaxed);
+            if slack == 0 && matching.mate(u) == v && is_first() {
+                let twice = edge.cost.checked_mul(2);
+                cost = twice.and_then(|twice| cost.checked_add(twice)).ok_or(E::Overflow)?;
+            }
         }
-        if slack == 0 && matching.mate(u) == v && !tight[u as usize] {
-            tight[u as usize] = true;
-            tight[v as usize] = true;
-            cost = edge.cost.checked_mul(2).and_then(|c| cost.checked_add(c)).ok_or(E::Overflow)?;
-        }
-    }
-    match (0..nodes).find(|&node| matching.mate(node) != NONE && !tight[node as usize]) {
+        Ok(cost)
+    };
+    let cost = sum(map((0..parts).collect(), cost_in))?;
+    let is_loose = |&node: &u32| {
+        let mate = matching.mate(node);
+        mate != NONE && !tight[node.min(mate) as usize].load(Ordering::Relaxed)
+    };
+    match (0..problem.node_count() as u32).find(is_loose) {
         Some(node) => Err(E::Loose(node, matching.mate(node))),
         None => Ok(cost),
     }
+}
+
+/// Adds up what was found in all parts; the first defect is that of the first part with one.
+fn sum(parts: Vec<Result<i128, CertificateError>>) -> Result<i128, CertificateError> {
+    parts.into_iter().try_fold(0_i128, |sum, part| sum.checked_add(part?).ok_or(E::Overflow))
 }
