@@ -6,7 +6,7 @@
 //! | number | rule |
 //! |---|---|
 //! | small | a whole number below 100 without a unit of measurement |
-//! | of a place | behind Table, Figure, section, Algorithm, line and the like |
+//! | of a place | behind Table, Figure, section, Algorithm, line, page and the like |
 //! | a year | from 1800 to 2099, without a unit |
 //! | an angle | whole degrees |
 //! | of a record | five digits or more, found in a table of the newest results or of the papers |
@@ -37,6 +37,9 @@ const PLACES: &[&str] = &[
     "proposition",
     "line",
     "lines",
+    "page",
+    "pages",
+    "volume",
     "arxiv",
 ];
 
