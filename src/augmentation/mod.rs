@@ -28,11 +28,11 @@ pub enum Augmentation {
     /// is touched only where a tree passes.
     #[default]
     Local,
-    /// `tarjan`: as published. One breadth-first tree at a time, all state set up anew for each
-    /// path: Θ(n) a path.
+    /// `tarjan`: as Lemos et al. describe it. One breadth-first tree at a time, all state set up
+    /// anew for each path: Θ(n) for each path.
     Tarjan,
     /// `rebuild`: the paths of `tarjan`, with the graph too set up anew for each, node by node. The
-    /// published times imply it.
+    /// printed times suggest that this was run.
     Rebuild,
 }
 

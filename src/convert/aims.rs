@@ -20,7 +20,7 @@ pub struct Aims<'a> {
     pub keep: Keep,
     /// True if none of them is given up.
     pub strict: bool,
-    /// Price at which any triangle may stay unpaired, in the unit of the costs.
+    /// Price at which any triangle may be left over, in the unit of the costs.
     pub price: Option<i32>,
 }
 

@@ -139,7 +139,7 @@ impl<'a> Converter<'a> {
         Self { aims: Aims { keep, ..self.aims }, ..self }
     }
 
-    /// Sets whether no edge to keep is given up. The fewest triangles stay unpaired instead.
+    /// Sets whether no edge to keep is given up. The fewest triangles are left over instead.
     #[must_use]
     pub fn strict(self, strict: bool) -> Self {
         Self { aims: Aims { strict, ..self.aims }, ..self }
@@ -154,7 +154,7 @@ impl<'a> Converter<'a> {
         Self { open, ..self }
     }
 
-    /// Sets the price at which any triangle may stay unpaired, in the unit of the costs. `best`
+    /// Sets the price at which any triangle may be left over, in the unit of the costs. `best`
     /// only.
     ///
     /// Then no quad costs more than twice the price.

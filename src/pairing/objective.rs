@@ -25,7 +25,7 @@ pub enum Keeping {
     /// As few of them as can be, that all triangles may be paired that can be.
     #[default]
     AsManyAsCan,
-    /// Not one of them; triangles stay unpaired instead.
+    /// Not one of them; triangles are left over instead.
     All,
 }
 

@@ -35,7 +35,7 @@ pub const LRS_ORDER: Discipline = Discipline::LastInFirstOut;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Expansion {
-    /// `printed`: as published, Algorithms 3.1 to 3.4.
+    /// `printed`: Algorithms 3.1 to 3.4, with corrections L1 and L2 of `docs/errata.md`.
     #[default]
     Printed,
     /// `few-flips`: ours. Flips only where no short alternating path is found, and undoes flips
