@@ -1,8 +1,8 @@
 //! The yardstick of `overhead.py`: the same conversion by the library, with no Python.
 //!
-//! `library FOLDER ALGORITHM` reads the arrays that the Python half has written, makes the mesh, and
-//! prints the seconds of the call and the bytes by which it raised the peak. The call begins with a
-//! mesh in memory that it may keep, and ends with the quads and the report. Linux only.
+//! `library FOLDER ALGORITHM` reads the arrays that the Python half has written, makes the mesh,
+//! and prints the seconds of the call and the bytes by which it raised the peak. The call begins
+//! with a mesh in memory that it may keep, and ends with the quads and the report. Linux only.
 
 use std::error::Error;
 use std::path::Path;
