@@ -43,7 +43,7 @@ help:
 	@echo "make documents  fills the tables of README and docs from RESULTS and QUALITY"
 	@echo "make python     builds the wheel of the Python package, target/wheels; needs Python 3.10"
 	@echo "make test-python  tests the wheel in a virtual environment"
-	@echo "make bench-python  a million triangles from numpy against the command: time and memory"
+	@echo "make bench-python  a million triangles from numpy against Rust: time and memory"
 	@echo "make bench      times and memory; MESHES='a.obj b.ply' for your own, LEMON=program for"
 	@echo "                ratios to LEMON"
 	@echo "make fuzz       every reader on arbitrary bytes, FUZZ_SECONDS each; needs cargo-fuzz"

@@ -1,18 +1,17 @@
-"""Compares a conversion from numpy with the same conversion in Rust: seconds and peak memory.
+"""Compares a conversion from numpy with the same call of the library: seconds and peak memory.
 
-    python python/benchmarks/overhead.py target/release/triquad [TRIANGLES]
+    python python/benchmarks/overhead.py target/release/examples/library [TRIANGLES]
 
-The time of Python is that of `triquad.convert`, arrays in and arrays out. The time of Rust is what
-the report of the same call has for building, pairing, augmentation and check: a busy machine slows
-both alike. The rest is the copy of the arrays, the making of the quads and their way out. The
-command converts the same mesh in turn, with an allocator of its own. The memory of Python is the
-growth of the peak during the call, that of the command its peak without the mesh that it reads.
-Linux and macOS only.
+Both sides take the same arrays from memory and end with the quads and the report; each run is a
+process of its own, and the two sides take turns. Python begins with numpy arrays of `float64` and
+`int64`, Rust with a mesh that the call may keep. The memory of a side is the growth of its peak
+during the call. Rust has what it needs beside the mesh; Python may have as much, and the mesh that
+it makes of the arrays. One thread, for repeatable times. Linux only.
 """
 
 import json
+import os
 import pathlib
-import resource
 import statistics
 import subprocess
 import sys
@@ -24,8 +23,8 @@ import numpy as np
 import triquad
 
 ALGORITHMS = ("tq", "best")
-REPETITIONS = 5
-PARTS = ("build_seconds", "pairing_seconds", "augmentation_seconds", "check_seconds")
+ROUNDS = 9
+LIMIT = 1.1
 
 
 def torus(triangles: int) -> tuple[np.ndarray, np.ndarray]:
@@ -48,54 +47,54 @@ def torus(triangles: int) -> tuple[np.ndarray, np.ndarray]:
     return renamed, random.permutation(name[faces])
 
 
-def peak_bytes() -> int:
-    """Return the peak of this process."""
-    status = pathlib.Path("/proc/self/status")
-    if status.exists():
-        # Unlike `ru_maxrss`, this does not begin with the peak of the process that started it.
-        words = next(line for line in status.read_text().splitlines() if line.startswith("VmHWM"))
-        return 1024 * int(words.split()[1])
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak if sys.platform == "darwin" else 1024 * peak
+def memory(name: str) -> int:
+    """Return bytes of this process from a line of the kernel's account."""
+    lines = pathlib.Path("/proc/self/status").read_text().splitlines()
+    return 1024 * int(next(line.split()[1] for line in lines if line.startswith(name)))
 
 
 def measure_python(folder: pathlib.Path, algorithm: str) -> None:
     """Convert the arrays in `folder` and print seconds and bytes."""
-    vertices, triangles = np.load(folder / "vertices.npy"), np.load(folder / "triangles.npy")
-    before = peak_bytes()
+    vertices = np.fromfile(folder / "vertices").reshape(-1, 3)
+    triangles = np.fromfile(folder / "triangles", np.int64).reshape(-1, 3)
+    before = memory("VmRSS")
     start = time.perf_counter()
-    quads, report = triquad.convert(vertices, triangles, algorithm=algorithm, threads=1)
+    quads, _ = triquad.convert(vertices, triangles, algorithm, threads=1)
     seconds = time.perf_counter() - start
     assert 2 * len(quads) == len(triangles)
-    rust = sum(getattr(report, part) for part in PARTS)
-    print(json.dumps({"seconds": seconds, "rust": rust, "bytes": peak_bytes() - before}))
+    print(json.dumps({"seconds": seconds, "bytes": memory("VmHWM") - before}))
 
 
 def run(command: list[str]) -> dict[str, float]:
     """Run a command that prints JSON."""
-    return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+    environment = {**os.environ, "RAYON_NUM_THREADS": "1"}
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, env=environment)
+    return json.loads(done.stdout)
 
 
 def compare(program: str, folder: pathlib.Path, algorithm: str, mesh_bytes: int) -> bool:
-    """Print one line for an algorithm; return whether the memory is within the limit."""
-    command = [program, "convert", str(folder / "mesh.ply"), "--algorithm", algorithm]
-    command += ["--threads", "1", "--stats", "-"]
-    child = [sys.executable, __file__, "--child", str(folder), algorithm]
-    runs = [(run(command), run(child)) for _ in range(REPETITIONS)]
-    seconds = statistics.median(python["seconds"] for _, python in runs)
-    ratio = statistics.median(python["seconds"] / python["rust"] for _, python in runs)
-    own = statistics.median(sum(stats[part] for part in PARTS) for stats, _ in runs)
-    ours = statistics.median(python["bytes"] for _, python in runs)
-    theirs = statistics.median(stats["peak_memory_bytes"] for stats, _ in runs) - mesh_bytes
-    print(
-        f"{algorithm:5} Python {seconds:.3f} s, {ratio:.3f} of its timed parts; command {own:.3f} s; "
-        f"MB beside the mesh: Python {ours / 1e6:.0f}, command {theirs / 1e6:.0f}"
+    """Print one line for an algorithm; return whether time and memory are within the limits."""
+    here = [sys.executable, __file__, "--child", str(folder), algorithm]
+    there = [program, str(folder), algorithm]
+    rounds = [(run(there), run(here)) for _ in range(ROUNDS)]
+    ratios = sorted(python["seconds"] / rust["seconds"] for rust, python in rounds)
+    ratio = statistics.median(ratios)
+    rust, python = (
+        {key: statistics.median(both[side][key] for both in rounds) for key in rounds[0][side]}
+        for side in (0, 1)
     )
-    return ours <= theirs + mesh_bytes
+    print(
+        f"{algorithm:5} Python {python['seconds']:.3f} s, Rust {rust['seconds']:.3f} s; "
+        f"ratio {ratio:.3f}, from {ratios[0]:.3f} to {ratios[-1]:.3f}; "
+        f"MB of Python {python['bytes'] / 1e6:.1f}, of Rust {rust['bytes'] / 1e6:.1f} "
+        f"and the mesh {mesh_bytes / 1e6:.1f}",
+        flush=True,
+    )
+    return ratio <= LIMIT and python["bytes"] <= rust["bytes"] + mesh_bytes
 
 
 def main() -> None:
-    """Write the mesh once and compare both sides for each algorithm."""
+    """Write the arrays once and compare both sides for each algorithm."""
     if sys.argv[1:2] == ["--child"]:
         measure_python(pathlib.Path(sys.argv[2]), sys.argv[3])
         return
@@ -106,10 +105,9 @@ def main() -> None:
     mesh_bytes = 24 * len(vertices) + 12 * len(triangles)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        np.save(folder / "vertices.npy", vertices)
-        np.save(folder / "triangles.npy", triangles)
-        triquad.write(folder / "mesh.ply", vertices, triangles)
-        print(f"{len(triangles)} triangles, medians of {REPETITIONS} runs, one thread")
+        vertices.astype("<f8").tofile(folder / "vertices")
+        triangles.astype("<i8").tofile(folder / "triangles")
+        print(f"{len(triangles)} triangles, medians of {ROUNDS} rounds, one thread")
         results = [compare(sys.argv[1], folder, name, mesh_bytes) for name in ALGORITHMS]
     sys.exit(not all(results))
 

@@ -6,33 +6,34 @@
 use std::fmt::Display;
 
 use numpy::ndarray::ArrayView1;
-use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use triquad::Mesh;
 
 use crate::failure::Failure;
+use crate::typed::{AnyArray, NewArray};
 
 /// Vertices that arrays without coordinates may name in any case.
 const VERTICES_ALLOWED: usize = 1 << 24;
 
 /// Positions and faces.
-pub type MeshArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<u32>>);
+pub type MeshArrays<'py> = (NewArray<'py, f64>, NewArray<'py, u32>);
 
 /// Copies rows of three `float64` or `float32`.
-pub fn positions(array: &Bound<'_, PyAny>) -> PyResult<Vec<[f64; 3]>> {
-    if let Ok(doubles) = array.extract::<PyReadonlyArray2<'_, f64>>() {
+pub fn positions(array: &AnyArray<'_>) -> PyResult<Vec<[f64; 3]>> {
+    if let Ok(doubles) = array.0.extract::<PyReadonlyArray2<'_, f64>>() {
         return Ok(rows(&doubles, |x| x));
     }
-    let singles = array.extract::<PyReadonlyArray2<'_, f32>>()?;
+    let singles = array.0.extract::<PyReadonlyArray2<'_, f32>>()?;
     Ok(rows(&singles, f64::from))
 }
 
 /// Copies rows of `N` indices of any integer dtype. `name` is that of the argument.
-pub fn indices<const N: usize>(name: &str, array: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; N]>> {
+pub fn indices<const N: usize>(name: &str, array: &AnyArray<'_>) -> PyResult<Vec<[u32; N]>> {
     macro_rules! try_each {
         ($($dtype:ty)*) => {$(
-            if let Ok(array) = array.extract::<PyReadonlyArray2<'_, $dtype>>() {
+            if let Ok(array) = array.0.extract::<PyReadonlyArray2<'_, $dtype>>() {
                 return Ok(index_rows(name, &array)?);
             }
         )*};
@@ -41,19 +42,14 @@ pub fn indices<const N: usize>(name: &str, array: &Bound<'_, PyAny>) -> PyResult
     Err(PyTypeError::new_err(format!("{name}: expected integers of at most 64 bits")))
 }
 
-/// Copies `int64` values.
-pub fn integers(array: &PyReadonlyArray1<'_, i64>) -> Vec<i64> {
-    array.as_array().iter().copied().collect()
-}
-
 /// Makes an array of rows of `width`, not copied.
 pub fn table<T: Element>(
     py: Python<'_>,
     values: Vec<T>,
     width: usize,
-) -> PyResult<Bound<'_, PyArray2<T>>> {
+) -> PyResult<NewArray<'_, T>> {
     let shape = [values.len() / width, width];
-    PyArray1::from_vec(py, values).reshape(shape)
+    Ok(NewArray::new(PyArray1::from_vec(py, values).reshape(shape)?))
 }
 
 /// Makes a mesh of faces of `N` corners on vertices without places.

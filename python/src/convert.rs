@@ -1,6 +1,6 @@
 //! Conversion with and without coordinates.
 
-use numpy::{PyArray2, PyReadonlyArray1};
+use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use triquad::convert::Aims;
@@ -12,6 +12,7 @@ use triquad::{
 
 use crate::arrays::{faces_alone, indices, positions, table};
 use crate::failure::Failure;
+use crate::typed::{AnyArray, NewArray};
 use crate::worker;
 
 /// The options of a conversion, checked for type by the Python half.
@@ -26,7 +27,7 @@ pub struct Options<'py> {
     /// The name of a cost, or one for each edge.
     cost: Costs<'py>,
     keep_sharp: Option<f64>,
-    keep_edges: Option<Bound<'py, PyAny>>,
+    keep_edges: Option<AnyArray<'py>>,
     strict: bool,
     open: bool,
     quad_dominant: Option<f64>,
@@ -41,11 +42,11 @@ enum Costs<'py> {
 /// What comes of a conversion: a dictionary in Python.
 #[derive(IntoPyObject)]
 pub struct Converted<'py> {
-    quads: Bound<'py, PyArray2<u32>>,
-    leftover: Bound<'py, PyArray2<u32>>,
-    given_up: Bound<'py, PyArray2<u32>>,
+    quads: NewArray<'py, u32>,
+    leftover: NewArray<'py, u32>,
+    given_up: NewArray<'py, u32>,
     /// The triangles paired, if edges were flipped.
-    triangulation: Option<Bound<'py, PyArray2<u32>>>,
+    triangulation: Option<NewArray<'py, u32>>,
     /// JSON.
     report: String,
     summary: String,
@@ -53,16 +54,17 @@ pub struct Converted<'py> {
 
 /// Converts arrays.
 #[pyfunction]
+#[pyo3(signature = (vertices, triangles, options: "dict[str, Any]") -> "dict[str, Any]")]
 pub fn convert<'py>(
     py: Python<'py>,
-    vertices: &Bound<'py, PyAny>,
-    triangles: &Bound<'py, PyAny>,
+    vertices: AnyArray<'py>,
+    triangles: AnyArray<'py>,
     options: Options<'py>,
 ) -> PyResult<Converted<'py>> {
     let algorithm: Algorithm = named("algorithm", &options.algorithm)?;
     let augmentation: Augmentation = named("augmentation", &options.augmentation)?;
     let aims = options.aims()?;
-    let mesh = Mesh::from_triangles(positions(vertices)?, indices("triangles", triangles)?);
+    let mesh = Mesh::from_triangles(positions(&vertices)?, indices("triangles", &triangles)?);
     let Options { orient, open, seed, threads, .. } = options;
     let (faces, given_up, flipped, report) = worker::run(py, threads, move |cancel| {
         let mut progress = cancel.clone();
@@ -128,14 +130,15 @@ fn by_arity(faces: Faces) -> (Vec<u32>, Vec<u32>) {
 
 /// Pairs triangles without coordinates; row by row the lower and the upper triangle of a pair.
 #[pyfunction]
+#[pyo3(signature = (triangles, options: "dict[str, Any]"))]
 pub fn pair<'py>(
     py: Python<'py>,
-    triangles: &Bound<'py, PyAny>,
+    triangles: AnyArray<'py>,
     options: Options<'py>,
-) -> PyResult<(Bound<'py, PyArray2<u32>>, String, String)> {
+) -> PyResult<(NewArray<'py, u32>, String, String)> {
     let algorithm: Algorithm = named("algorithm", &options.algorithm)?;
     let augmentation: Augmentation = named("augmentation", &options.augmentation)?;
-    let mut mesh = faces_alone("triangles", indices::<3>("triangles", triangles)?)?;
+    let mut mesh = faces_alone("triangles", indices::<3>("triangles", &triangles)?)?;
     let Options { orient, seed, threads, .. } = options;
     let (pairs, report) = worker::run(py, threads, move |cancel| {
         let built = if orient {

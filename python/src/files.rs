@@ -8,6 +8,7 @@ use triquad::mesh::{CutError, Faces};
 
 use crate::arrays::{MeshArrays, indices, positions, table};
 use crate::failure::{Failure, MeshFailure};
+use crate::typed::AnyArray;
 use crate::worker;
 
 /// Reads a mesh file. Returns positions and faces of one size.
@@ -52,17 +53,17 @@ fn mixed(path: &std::path::Path) -> Failure {
 pub fn write(
     py: Python<'_>,
     path: PathBuf,
-    vertices: &Bound<'_, PyAny>,
-    faces: &Bound<'_, PyAny>,
+    vertices: AnyArray<'_>,
+    faces: AnyArray<'_>,
     arity: usize,
-    leftover: Option<&Bound<'_, PyAny>>,
+    leftover: Option<AnyArray<'_>>,
 ) -> PyResult<()> {
-    let positions = positions(vertices)?;
+    let positions = positions(&vertices)?;
     let corners = match arity {
-        3 => indices::<3>("faces", faces)?.into_flattened(),
-        _ => indices::<4>("faces", faces)?.into_flattened(),
+        3 => indices::<3>("faces", &faces)?.into_flattened(),
+        _ => indices::<4>("faces", &faces)?.into_flattened(),
     };
-    let leftover = leftover.map(|array| indices::<3>("leftover", array)).transpose()?;
+    let leftover = leftover.map(|array| indices::<3>("leftover", &array)).transpose()?;
     worker::run(py, 0, move |_| {
         let mut faces = Faces::uniform(arity, corners);
         faces.extend(leftover.unwrap_or_default());

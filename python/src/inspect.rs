@@ -8,6 +8,7 @@ use triquad::{Mesh, Survey, Violation};
 
 use crate::arrays::{faces_alone, indices, positions};
 use crate::failure::{Failure, element, remedy, sentence};
+use crate::typed::AnyArray;
 use crate::worker;
 
 /// Checks quads, and triangles left over, against triangles on the same vertices. Returns counts as
@@ -15,14 +16,14 @@ use crate::worker;
 #[pyfunction]
 pub fn check(
     py: Python<'_>,
-    quads: &Bound<'_, PyAny>,
-    triangles: &Bound<'_, PyAny>,
-    leftover: &Bound<'_, PyAny>,
+    quads: AnyArray<'_>,
+    triangles: AnyArray<'_>,
+    leftover: AnyArray<'_>,
     open: bool,
 ) -> PyResult<String> {
-    let quads = indices::<4>("quads", quads)?;
-    let triangles = faces_alone("triangles", indices::<3>("triangles", triangles)?)?;
-    let leftover = indices::<3>("leftover", leftover)?;
+    let quads = indices::<4>("quads", &quads)?;
+    let triangles = faces_alone("triangles", indices::<3>("triangles", &triangles)?)?;
+    let leftover = indices::<3>("leftover", &leftover)?;
     worker::run(py, 0, move |_| {
         let (count, mixed) = (quads.len(), open || !leftover.is_empty());
         let mut faces = Faces::uniform(4, quads.into_flattened());
@@ -48,12 +49,8 @@ pub fn check(
 
 /// Counts a mesh and the laws that it breaks. Returns JSON.
 #[pyfunction]
-pub fn survey(
-    py: Python<'_>,
-    vertices: &Bound<'_, PyAny>,
-    triangles: &Bound<'_, PyAny>,
-) -> PyResult<String> {
-    let mesh = Mesh::from_triangles(positions(vertices)?, indices("triangles", triangles)?);
+pub fn survey(py: Python<'_>, vertices: AnyArray<'_>, triangles: AnyArray<'_>) -> PyResult<String> {
+    let mesh = Mesh::from_triangles(positions(&vertices)?, indices("triangles", &triangles)?);
     worker::run(py, 0, move |_| Ok(described(&Survey::new(&mesh)).to_string()))
 }
 

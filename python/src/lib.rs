@@ -1,8 +1,8 @@
 //! The native half of the Python package `triquad`: arrays in, arrays and JSON out.
 //!
-//! `arrays` copies numpy arrays, `failure` makes exceptions, `worker` runs a call so that it can be
-//! interrupted; each other file has the functions of one subject. Names, defaults, types and
-//! documentation are in the Python half, `triquad/`.
+//! `arrays` copies numpy arrays, `typed` has their types, `failure` makes exceptions, `worker` runs
+//! a call so that it can be interrupted; each other file has the functions of one subject. Names,
+//! defaults, types and documentation are in the Python half, `triquad/`.
 
 mod arrays;
 mod convert;
@@ -11,6 +11,7 @@ mod files;
 mod inspect;
 mod matching;
 mod reduce;
+mod typed;
 mod worker;
 
 /// Functions behind the package `triquad`; not to be called directly.

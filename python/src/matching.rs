@@ -6,31 +6,33 @@ use triquad::matching::weighted::{
     Certificate, EdgeList, Integers, NONE, Prices, SolveError, solve_sparse, verify,
 };
 
-use crate::arrays::{indices, integers, node_count};
+use crate::arrays::{indices, node_count};
 use crate::failure::Failure;
+use crate::typed::{AnyArray, NewArray};
 use crate::worker;
 
 /// Mates, cost, and the certificate: potentials, innermost sets, parents and values.
-type Solved<'py> = (
-    Bound<'py, PyArray1<i64>>,
-    i128,
-    Bound<'py, PyAny>,
-    Bound<'py, PyArray1<i64>>,
-    Bound<'py, PyArray1<i64>>,
-    Bound<'py, PyAny>,
-);
+type Solved<'py> =
+    (NewArray<'py, i64>, i128, Wide<'py>, NewArray<'py, i64>, NewArray<'py, i64>, Wide<'py>);
+
+/// Integers, in a list if 64 bits do not hold them.
+#[derive(IntoPyObject)]
+pub enum Wide<'py> {
+    Array(NewArray<'py, i64>),
+    List(Vec<i128>),
+}
 
 /// Finds a perfect matching of least cost and verifies its certificate.
 #[pyfunction]
 pub fn solve<'py>(
     py: Python<'py>,
-    edges: &Bound<'py, PyAny>,
-    costs: PyReadonlyArray1<'py, i64>,
+    edges: AnyArray<'py>,
+    costs: AnyArray<'py>,
     nodes: Option<usize>,
     price: Option<i64>,
 ) -> PyResult<Solved<'py>> {
-    let edges = indices::<2>("edges", edges)?;
-    let costs = integers(&costs);
+    let edges = indices::<2>("edges", &edges)?;
+    let costs = costs.0.extract::<PyReadonlyArray1<'_, i64>>()?.as_array().to_vec();
     let named = node_count("edges", edges.as_flattened())?;
     let nodes = nodes.unwrap_or(named);
     let solution = worker::run(py, 0, move |cancel| {
@@ -46,10 +48,10 @@ pub fn solve<'py>(
     Ok((
         numbers(py, &solution.mates),
         solution.cost,
-        wide(py, &potentials)?,
+        wide(py, &potentials),
         numbers(py, &innermost),
         numbers(py, &parents),
-        wide(py, &values)?,
+        wide(py, &values),
     ))
 }
 
@@ -65,16 +67,15 @@ fn failure(error: SolveError) -> Failure {
 }
 
 /// Makes an array of numbers of nodes or sets, with -1 for none.
-fn numbers<'py>(py: Python<'py>, values: &[u32]) -> Bound<'py, PyArray1<i64>> {
+fn numbers<'py>(py: Python<'py>, values: &[u32]) -> NewArray<'py, i64> {
     let number = |&value: &u32| if value == NONE { -1 } else { i64::from(value) };
-    PyArray1::from_iter(py, values.iter().map(number))
+    NewArray::new(PyArray1::from_iter(py, values.iter().map(number)))
 }
 
-/// Makes an `int64` array, or a list of integers if they do not fit.
-fn wide<'py>(py: Python<'py>, values: &Integers) -> PyResult<Bound<'py, PyAny>> {
+fn wide<'py>(py: Python<'py>, values: &Integers) -> Wide<'py> {
     let all = (0..values.len()).map(|i| values.at(i));
     match all.clone().map(i64::try_from).collect::<Result<Vec<_>, _>>() {
-        Ok(values) => Ok(PyArray1::from_vec(py, values).into_any()),
-        Err(_) => Ok(all.collect::<Vec<_>>().into_pyobject(py)?.into_any()),
+        Ok(values) => Wide::Array(NewArray::new(PyArray1::from_vec(py, values))),
+        Err(_) => Wide::List(all.collect()),
     }
 }

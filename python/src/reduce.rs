@@ -1,6 +1,5 @@
 //! Irreducible and simplified triangulations.
 
-use numpy::PyArray2;
 use pyo3::prelude::*;
 use serde_json::json;
 use triquad::irreducible::{Contractor, Irreducible, Order, check_irreducible};
@@ -10,6 +9,7 @@ use triquad::{Mesh, Triangulation};
 use crate::arrays::{MeshArrays, faces_alone, indices, positions, table};
 use crate::convert::named;
 use crate::failure::Failure;
+use crate::typed::{AnyArray, NewArray};
 use crate::worker::{self, Cancel};
 
 /// Vertices removed between two looks at the caller's word.
@@ -19,14 +19,14 @@ const STEP: usize = 1 << 14;
 #[pyfunction]
 pub fn irreducible<'py>(
     py: Python<'py>,
-    triangles: &Bound<'py, PyAny>,
+    triangles: AnyArray<'py>,
     algorithm: &str,
     order: &str,
     seed: u64,
-) -> PyResult<(Bound<'py, PyArray2<u32>>, String)> {
+) -> PyResult<(NewArray<'py, u32>, String)> {
     let algorithm: Contractor = named("algorithm", algorithm)?;
     let order: Order = named("order", order)?;
-    let mesh = faces_alone("triangles", indices::<3>("triangles", triangles)?)?;
+    let mesh = faces_alone("triangles", indices::<3>("triangles", &triangles)?)?;
     let (left, counts) = worker::run(py, 0, move |_| {
         let triangulation = Triangulation::build(&mesh)?;
         let size = (triangulation.component_count(), triangulation.genus());
@@ -43,11 +43,11 @@ pub fn irreducible<'py>(
 #[pyfunction]
 pub fn simplify<'py>(
     py: Python<'py>,
-    vertices: &Bound<'py, PyAny>,
-    triangles: &Bound<'py, PyAny>,
+    vertices: AnyArray<'py>,
+    triangles: AnyArray<'py>,
     vertex_count: usize,
 ) -> PyResult<MeshArrays<'py>> {
-    let mesh = Mesh::from_triangles(positions(vertices)?, indices("triangles", triangles)?);
+    let mesh = Mesh::from_triangles(positions(&vertices)?, indices("triangles", &triangles)?);
     let simplified = worker::run(py, 0, move |cancel| {
         let triangulation = Triangulation::build(&mesh)?;
         let mut simplifier = Simplifier::new(triangulation, mesh.positions());

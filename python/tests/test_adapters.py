@@ -68,3 +68,21 @@ def test_faces_of_five_corners_are_refused_by_name(maker: object) -> None:
     pytest.importorskip(str(getattr(maker, "__name__")).removeprefix("to_"))
     with pytest.raises(ValueError, match="^faces: expected shape"):
         maker(VERTICES, np.zeros((3, 5), int))  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("maker", [triquad.to_trimesh, triquad.to_pyvista, triquad.to_meshio])
+@pytest.mark.parametrize("index", [-1, len(VERTICES)])
+def test_indices_of_no_vertex_reach_no_other_library(maker: object, index: int) -> None:
+    pytest.importorskip(str(getattr(maker, "__name__")).removeprefix("to_"))
+    wrong = TRIANGLES.copy()
+    wrong[[3, 5], 1] = index
+    with pytest.raises(triquad.MeshError, match=f"^faces: row 3 has index {index}, ") as refused:
+        maker(VERTICES, wrong)  # type: ignore[operator]
+    assert (refused.value.element, refused.value.count) == (("face", (3,)), 2)
+
+
+def test_points_in_the_plane_are_refused() -> None:
+    meshio = pytest.importorskip("meshio")
+    flat = meshio.Mesh(VERTICES[:, :2], [("triangle", TRIANGLES)])
+    with pytest.raises(ValueError, match="^mesh: expected points of shape"):
+        triquad.from_meshio(flat)

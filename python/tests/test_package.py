@@ -83,11 +83,13 @@ def test_the_example_draws_its_picture(tmp_path: Path) -> None:
     assert (tmp_path / "quads.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_the_snippets_of_the_readme_run(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("document", ["README.md", "docs/python.md"])
+def test_the_snippets_of_the_documents_run(document: str, monkeypatch: pytest.MonkeyPatch) -> None:
     root = Path(__file__).parents[2]
     monkeypatch.chdir(root)
     fence = "```"
-    parts = (root / "README.md").read_text(encoding="utf-8").split(fence + "python\n")[1:]
+    parts = (root / document).read_text(encoding="utf-8").split(fence + "python\n")[1:]
     assert parts
+    names: dict[str, object] = {}
     for part in parts:
-        exec(part.split(fence)[0], {})
+        exec(part.split(fence)[0], names)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from triquad._arrays import face_array, index_array, vertices_array
+from triquad._arrays import check_range, face_array, index_array, vertices_array
 
 if TYPE_CHECKING:
     import meshio
@@ -26,6 +26,8 @@ def from_trimesh(mesh: trimesh.Trimesh) -> Arrays:
     ------
     TypeError
         ``mesh`` is something else.
+    ValueError
+        Its arrays have other shapes.
 
     Examples
     --------
@@ -39,7 +41,7 @@ def from_trimesh(mesh: trimesh.Trimesh) -> Arrays:
 
     if not isinstance(mesh, trimesh.Trimesh):
         raise TypeError(f"mesh: expected a trimesh.Trimesh, got {type(mesh).__name__}")
-    return np.asarray(mesh.vertices), np.asarray(mesh.faces)
+    return _triangles(mesh.vertices, mesh.faces)
 
 
 def to_trimesh(vertices: ArrayLike, faces: ArrayLike) -> trimesh.Trimesh:
@@ -49,6 +51,8 @@ def to_trimesh(vertices: ArrayLike, faces: ArrayLike) -> trimesh.Trimesh:
 
     Raises
     ------
+    MeshError
+        An index is that of no vertex.
     TypeError, ValueError
         An argument has the wrong type or shape.
 
@@ -62,7 +66,7 @@ def to_trimesh(vertices: ArrayLike, faces: ArrayLike) -> trimesh.Trimesh:
     """
     import trimesh
 
-    positions, corners = vertices_array(vertices), face_array(faces)
+    positions, corners, _ = _checked(vertices, faces)
     if corners.shape[1] == 4:
         corners = corners[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
     return trimesh.Trimesh(positions, corners.astype(np.int64), process=False)
@@ -93,7 +97,7 @@ def from_pyvista(mesh: pyvista.PolyData) -> Arrays:
     cells = np.asarray(mesh.faces)
     if mesh.n_cells != len(cells) // 4 or not (cells[::4] == 3).all() or len(cells) % 4:
         raise ValueError("mesh: not all cells are triangles; use mesh.triangulate()")
-    return np.asarray(mesh.points), cells.reshape(-1, 4)[:, 1:]
+    return _triangles(mesh.points, cells.reshape(-1, 4)[:, 1:])
 
 
 def to_pyvista(
@@ -103,6 +107,8 @@ def to_pyvista(
 
     Raises
     ------
+    MeshError
+        An index is that of no vertex.
     TypeError, ValueError
         An argument has the wrong type or shape.
 
@@ -116,12 +122,10 @@ def to_pyvista(
     """
     import pyvista
 
-    given = [face_array(faces)]
-    if leftover is not None:
-        given.append(index_array("leftover", leftover, 3))
+    positions, *given = _checked(vertices, faces, leftover)
     counted = [np.insert(array.astype(np.int64), 0, array.shape[1], axis=1) for array in given]
     cells = np.concatenate([array.ravel() for array in counted])
-    return pyvista.PolyData(vertices_array(vertices), faces=cells)
+    return pyvista.PolyData(positions, faces=cells)
 
 
 def from_meshio(mesh: meshio.Mesh) -> Arrays:
@@ -154,8 +158,8 @@ def from_meshio(mesh: meshio.Mesh) -> Arrays:
     others = sorted({block.type for block in blocks} - {"triangle"})
     if others:
         raise ValueError(f"mesh: expected triangles, got cells {', '.join(others)}")
-    triangles = [np.asarray(block.data) for block in blocks]
-    return np.asarray(mesh.points), np.concatenate([np.empty((0, 3), np.int64), *triangles])
+    triangles = [_triangles(mesh.points, block.data)[1] for block in blocks]
+    return _triangles(mesh.points, np.concatenate([np.empty((0, 3), np.int64), *triangles]))
 
 
 def to_meshio(
@@ -167,6 +171,8 @@ def to_meshio(
 
     Raises
     ------
+    MeshError
+        An index is that of no vertex.
     TypeError, ValueError
         An argument has the wrong type or shape.
 
@@ -180,8 +186,28 @@ def to_meshio(
     """
     import meshio
 
-    given = face_array(faces)
+    positions, given, triangles = _checked(vertices, faces, leftover)
     cells = [("quad" if given.shape[1] == 4 else "triangle", given)]
-    if leftover is not None and len(triangles := index_array("leftover", leftover, 3)):
+    if len(triangles):
         cells.append(("triangle", triangles))
-    return meshio.Mesh(vertices_array(vertices), cells)
+    return meshio.Mesh(positions, cells)
+
+
+def _triangles(points: ArrayLike, corners: ArrayLike) -> Arrays:
+    """Return what a mesh of another library holds, if that is a mesh of triangles in space."""
+    arrays = np.asarray(points), np.asarray(corners)
+    for name, array in zip(("points", "triangles"), arrays):
+        if array.ndim != 2 or array.shape[1] != 3:
+            raise ValueError(f"mesh: expected {name} of shape (n, 3), got {array.shape}")
+    return arrays
+
+
+def _checked(
+    vertices: ArrayLike, faces: ArrayLike, leftover: ArrayLike | None = None
+) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Return arrays of the right shapes, with indices that other libraries can rely on."""
+    positions, given = vertices_array(vertices), face_array(faces)
+    triangles = index_array("leftover", [] if leftover is None else leftover, 3)
+    check_range("faces", given, len(positions))
+    check_range("leftover", triangles, len(positions))
+    return positions, given, triangles

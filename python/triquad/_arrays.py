@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import operator
+import os
 from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from triquad._errors import Element, MeshError
 
 
 def vertices_array(value: ArrayLike) -> NDArray[Any]:
@@ -27,6 +30,36 @@ def face_array(value: ArrayLike) -> NDArray[Any]:
     except (TypeError, ValueError):
         width = ()
     return index_array("faces", value, 3 if width == (3,) else 4)
+
+
+def check_range(name: str, array: NDArray[Any], vertices: int) -> None:
+    """Check that indices are those of vertices."""
+    if not array.size or int(array.min()) >= 0 and int(array.max()) < vertices:
+        return
+    rows, columns = np.nonzero((array < 0) | (array >= vertices))
+    index = int(array[rows[0], columns[0]])
+    problem = "is negative" if index < 0 else f"is too large for {vertices} vertices (from 0)"
+    remedy = "number vertices from 0 to len(vertices) - 1"
+    raise MeshError(
+        f"{name}: row {rows[0]} has index {index}, which {problem}; {remedy}",
+        "index-out-of-range",
+        Element("face", (int(rows[0]),)),
+        len(rows),
+        remedy,
+    )
+
+
+def path_of(value: str | os.PathLike[str]) -> str:
+    """Return a path as a string."""
+    try:
+        path = os.fspath(value)
+    except TypeError:
+        raise TypeError(f"path: expected a path, got {type(value).__name__}") from None
+    if not isinstance(path, str):
+        raise TypeError(f"path: expected a string or a path, got {type(path).__name__}")
+    if "\0" in path:
+        raise ValueError("path: a zero character is in no path")
+    return path
 
 
 def integer_array(name: str, value: ArrayLike, dtype: type[np.signedinteger]) -> NDArray[Any]:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from triquad import _native
-from triquad._arrays import face_array, index_array, vertices_array
+from triquad._arrays import check_range, face_array, index_array, path_of, vertices_array
 
 
 def read(
@@ -47,7 +46,7 @@ def read(
     >>> faces.tolist()
     [[0, 1, 2]]
     """
-    return _native.read(os.fspath(path), bool(triangulate))
+    return _native.read(path_of(path), bool(triangulate))
 
 
 def write(
@@ -78,7 +77,7 @@ def write(
     MeshError
         The format is not known or not written, or an index is negative or too large.
     TypeError, ValueError
-        An argument has the wrong type or shape.
+        An argument has the wrong type, shape or value.
 
     Examples
     --------
@@ -90,14 +89,9 @@ def write(
     """
     positions = vertices_array(vertices)
     given = face_array(faces)
-    triangles = None if leftover is None else index_array("leftover", leftover, 3)
-    for name, array in (("faces", given), ("leftover", triangles)):
-        _check_range(name, array, len(positions))
-    _native.write(os.fspath(path), positions, given, given.shape[1], triangles)
-
-
-def _check_range(name: str, array: NDArray[Any] | None, vertices: int) -> None:
-    if array is not None and array.size and int(array.max()) >= vertices:
-        raise ValueError(
-            f"{name}: index {array.max()} is too large for {vertices} vertices (from 0)"
-        )
+    check_range("faces", given, len(positions))
+    triangles = None
+    if leftover is not None:
+        triangles = index_array("leftover", leftover, 3)
+        check_range("leftover", triangles, len(positions))
+    _native.write(path_of(path), positions, given, given.shape[1], triangles)

@@ -2,6 +2,7 @@
 
 mod scene;
 mod terminal;
+mod xterm;
 
 use std::io;
 use std::path::{Path, PathBuf};

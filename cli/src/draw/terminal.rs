@@ -2,10 +2,11 @@
 
 use std::io::{self, IsTerminal};
 
-use anstyle::{Color, RgbColor, Style};
-use anstyle_lossy::rgb_to_xterm;
+use anstyle::{Ansi256Color, Color, RgbColor, Style};
 use terminal_size::{Height, Width, terminal_size};
 use triquad_render::Image;
+
+use super::xterm;
 
 /// Colours that the text may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,11 +43,10 @@ impl Palette {
 
     fn colour(self, pixel: [u8; 4]) -> Option<Color> {
         let [red, green, blue, opacity] = pixel;
-        let rgb = RgbColor(red, green, blue);
         match self {
             _ if opacity < 128 => None,
-            Self::True => Some(rgb.into()),
-            Self::Indexed => Some(rgb_to_xterm(rgb).into()),
+            Self::True => Some(RgbColor(red, green, blue).into()),
+            Self::Indexed => Some(Ansi256Color(xterm::nearest([red, green, blue])).into()),
             Self::Plain => None,
         }
     }

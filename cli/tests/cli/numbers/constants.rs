@@ -53,6 +53,7 @@ pub const CONSTANTS: &[Constant] = &[
     ),
     constant("docs/performance.md", "2", "cli/src/huge_pages.rs", "2 << 20"),
     constant("docs/python.md", "3.10", "python/pyproject.toml", "requires-python = \">=3.10\""),
+    constant("docs/python.md", "500", "python/tests/test_random.py", "RANDOM = 500"),
     constant("docs/python.md", "1.26", "python/pyproject.toml", "numpy>=1.26"),
     constant("docs/quality.md", "0.5", "src/quadrangulation", "mean: 0.5"),
     constant("docs/quality.md", "0.55", "src/quadrangulation/cost.rs", "0.55 * "),
