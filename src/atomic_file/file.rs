@@ -8,7 +8,7 @@ use tempfile::NamedTempFile;
 
 #[cfg(target_os = "linux")]
 use super::nameless;
-use super::target::{NoFolder, folder_of, refuse_protected};
+use super::target::{NoFolderError, folder_of, refuse_protected};
 use super::temporary::{Registration, temporary_file, without_path};
 
 /// A file that gets its name when it is complete.
@@ -54,7 +54,7 @@ impl AtomicFile {
     ///
     /// # Errors
     /// `target` is a folder, a write-protected file or a link to nothing, its folder does not exist
-    /// ([`NoFolder`]), or no file can be made there. Other errors are those of the file system.
+    /// ([`NoFolderError`]), or no file can be made there. Other errors are those of the file system.
     pub fn create(target: impl AsRef<Path>) -> io::Result<Self> {
         let target = target.as_ref();
         let resolved = target.canonicalize().unwrap_or_else(|_| target.to_owned());
@@ -71,7 +71,7 @@ impl AtomicFile {
         }
         let folder = folder_of(&resolved);
         if !folder.exists() {
-            return Err(io::Error::new(io::ErrorKind::NotFound, NoFolder(folder.to_owned())));
+            return Err(io::Error::new(io::ErrorKind::NotFound, NoFolderError(folder.to_owned())));
         }
         let replaced = resolved.metadata().ok();
         if replaced.is_some() {

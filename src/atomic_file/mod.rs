@@ -14,5 +14,5 @@ mod temporary;
 mod tests;
 
 pub use file::AtomicFile;
-pub use target::NoFolder;
+pub use target::NoFolderError;
 pub use temporary::abandon_all;

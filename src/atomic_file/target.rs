@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// The folder of a target does not exist.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is no folder {}", .0.display())]
-pub struct NoFolder(pub PathBuf);
+pub struct NoFolderError(pub PathBuf);
 
 /// Refuses a file that the user may not write to: renaming another over it would be possible.
 pub(super) fn refuse_protected(target: &Path) -> io::Result<()> {
