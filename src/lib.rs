@@ -100,7 +100,7 @@ pub use mesh::MeshError;
 pub use names::UnknownNameError;
 pub use pairing::{Algorithm, Expansion};
 pub use quadrangulation::{
-    AttributeLosses, CheckReport, Cost, DefaultCost, Mismatch, Quadrangulation, ShapeCost, check,
+    AttributeLosses, CheckError, CheckReport, Cost, DefaultCost, Quadrangulation, ShapeCost, check,
     check_retriangulation, common_edges,
 };
 pub use triangulation::{Element, Law, Survey, Triangulation, Violation};

@@ -8,7 +8,7 @@ use triquad::quadrangulation::quality::Quality;
 use triquad::quadrangulation::{MixedFaces, SharpEdges, check_mixed};
 use triquad::triangulation::{Surface, Triangulation};
 use triquad::{
-    CheckReport, DualGraph, Matching, Mesh, Mismatch, check, check_retriangulation, common_edges,
+    CheckError, CheckReport, DualGraph, Matching, Mesh, check, check_retriangulation, common_edges,
 };
 
 use crate::failure::Failure;
@@ -188,7 +188,7 @@ fn compare(
     triangles: &Mesh,
     all_quads: bool,
     needs_pairs: bool,
-) -> Result<(CheckReport, Option<Matching>), Mismatch> {
+) -> Result<(CheckReport, Option<Matching>), CheckError> {
     let report = if all_quads { Some(check(quads, triangles)?) } else { None };
     let mixed = match report.is_none() || needs_pairs {
         true => Some(check_mixed(quads, triangles)?),
@@ -199,18 +199,18 @@ fn compare(
     Ok((report, mixed.map(|mixed| mixed.matching)))
 }
 
-/// Words a mismatch.
-fn failure(arguments: &Arguments, surface: &Built, quads: &Mesh, mismatch: &Mismatch) -> Failure {
+/// Words what the check found.
+fn failure(arguments: &Arguments, surface: &Built, quads: &Mesh, mismatch: &CheckError) -> Failure {
     let is_triangle = |face: usize| quads.faces().get(face).is_some_and(|face| face.len() == 3);
     let remedy = match (mismatch, surface) {
         // On other vertices, QUADS was not made from TRIANGLES, and --open not meant.
-        (Mismatch::VertexCount { .. } | Mismatch::Moved(_), Built::Open(_, survey))
+        (CheckError::VertexCount { .. } | CheckError::Moved(_), Built::Open(_, survey))
             if !arguments.open =>
         {
             let remedy = Some("--open allows it");
             return input::refusal(&arguments.against, survey, remedy, None);
         }
-        (Mismatch::NotAQuad(face), _) if is_triangle(*face) => {
+        (CheckError::NotAQuad(face), _) if is_triangle(*face) => {
             "; --open allows triangles that are left over"
         }
         _ => "",

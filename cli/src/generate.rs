@@ -8,7 +8,7 @@ use triquad::mesh::Output;
 use triquad::simplify::Shape;
 use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
 use triquad_lab::meshes::{
-    BoxShape, Cache, GenerateError, ImpossiblePaperBox, PaperBox, Recipe, Walls,
+    BoxShape, Cache, GenerateError, ImpossiblePaperBoxError, PaperBox, Recipe, Walls,
 };
 
 use crate::failure::Failure;
@@ -217,8 +217,8 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
 fn failure(recipe: &Recipe, error: &GenerateError) -> Failure {
     let remedy = match error {
         GenerateError::Box(_) => "ask for another number of vertices",
-        GenerateError::PaperBox(ImpossiblePaperBox::NoDepth) => "ask for a depth of 1 or more",
-        GenerateError::PaperBox(ImpossiblePaperBox::TooManyHoles { .. }) => {
+        GenerateError::PaperBox(ImpossiblePaperBoxError::NoDepth) => "ask for a depth of 1 or more",
+        GenerateError::PaperBox(ImpossiblePaperBoxError::TooManyHoles { .. }) => {
             "ask for fewer holes or more shafts"
         }
         GenerateError::PaperBox(_) => "ask for fewer shafts or less depth",

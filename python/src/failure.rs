@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use triquad::mesh::{MeshError, Place};
-use triquad::{ConvertError, Element, Law, Mismatch, Survey, Violation};
+use triquad::{CheckError, ConvertError, Element, Law, Survey, Violation};
 
 /// A reason why a call has no result.
 #[derive(Debug)]
@@ -85,7 +85,7 @@ impl From<Box<Survey>> for Failure {
 
 impl Failure {
     /// Makes the failure of a check of `quads` quads and triangles left over behind them.
-    pub fn of_check(mismatch: Mismatch, quads: usize) -> Self {
+    pub fn of_check(mismatch: CheckError, quads: usize) -> Self {
         let (law, element) = place(mismatch);
         let argument = match (law, element.1.first()) {
             ("bad-triangle" | "triangle-twice" | "triangle-unused", _) => "triangles",
@@ -217,30 +217,30 @@ pub fn remedy(law: Law) -> String {
     law.remedy().split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
-/// Returns the name of a mismatch and the element that it is about.
-fn place(mismatch: Mismatch) -> (&'static str, PythonElement) {
-    use Mismatch as M;
+/// Returns the name of what a check found and the element that it is about.
+fn place(mismatch: CheckError) -> (&'static str, PythonElement) {
+    use CheckError as E;
     let face = |face: usize| ("face", vec![face as u64]);
     let vertex = |vertex: usize| ("vertex", vec![vertex as u64]);
     let edge = |a: u32, b: u32| ("edge", vec![a.into(), b.into()]);
     match mismatch {
-        M::BadTriangle(triangle) => ("bad-triangle", face(triangle)),
-        M::NotAQuad(quad) => ("not-a-quad", face(quad)),
-        M::NotATriangleOrQuad(quad) => ("not-a-triangle-or-quad", face(quad)),
-        M::NotATriangle(left) => ("not-a-triangle", face(left)),
-        M::Turned(quad) => ("turned", face(quad)),
-        M::RepeatedCorner(quad) => ("repeated-corner", face(quad)),
-        M::Reversed(quad) => ("reversed", face(quad)),
-        M::NotAPair(quad) => ("not-a-pair", face(quad)),
-        M::TriangleTwice(triangle) => ("triangle-twice", face(triangle)),
-        M::TriangleUnused(triangle) => ("triangle-unused", face(triangle)),
-        M::EdgeTwice(a, b) => ("edge-twice", edge(a, b)),
-        M::EdgeOpen(a, b) => ("edge-open", edge(a, b)),
-        M::Moved(v) => ("moved", vertex(v)),
-        M::VertexUse(v) => ("vertex-use", vertex(v)),
-        M::Fans(v) => ("several-fans", vertex(v)),
-        M::Component(v) => ("component", vertex(v)),
-        M::EulerCharacteristic { .. } => ("euler-characteristic", ("mesh", vec![])),
+        E::BadTriangle(triangle) => ("bad-triangle", face(triangle)),
+        E::NotAQuad(quad) => ("not-a-quad", face(quad)),
+        E::NotATriangleOrQuad(quad) => ("not-a-triangle-or-quad", face(quad)),
+        E::NotATriangle(left) => ("not-a-triangle", face(left)),
+        E::Turned(quad) => ("turned", face(quad)),
+        E::RepeatedCorner(quad) => ("repeated-corner", face(quad)),
+        E::Reversed(quad) => ("reversed", face(quad)),
+        E::NotAPair(quad) => ("not-a-pair", face(quad)),
+        E::TriangleTwice(triangle) => ("triangle-twice", face(triangle)),
+        E::TriangleUnused(triangle) => ("triangle-unused", face(triangle)),
+        E::EdgeTwice(a, b) => ("edge-twice", edge(a, b)),
+        E::EdgeOpen(a, b) => ("edge-open", edge(a, b)),
+        E::Moved(v) => ("moved", vertex(v)),
+        E::VertexUse(v) => ("vertex-use", vertex(v)),
+        E::Fans(v) => ("several-fans", vertex(v)),
+        E::Component(v) => ("component", vertex(v)),
+        E::EulerCharacteristic { .. } => ("euler-characteristic", ("mesh", vec![])),
         _ => ("vertex-count", ("mesh", vec![])),
     }
 }

@@ -15,7 +15,7 @@ use crate::mesh::{Faces, Mesh};
 use crate::pairing::{Algorithm, InitialPairing, Proof, best, squared_length, velho};
 use crate::quadrangulation::quality::Quality;
 use crate::quadrangulation::{
-    CheckReport, Mismatch, Quadrangulation, SharpEdges, check_faces, check_retriangulated_faces,
+    CheckError, CheckReport, Quadrangulation, SharpEdges, check_faces, check_retriangulated_faces,
 };
 use crate::random::Random;
 use crate::triangulation::Triangulation;
@@ -250,7 +250,7 @@ fn check_result(
     quads: &Faces,
     flipped: Option<&Faces>,
     given: &Mesh,
-) -> Result<CheckReport, Mismatch> {
+) -> Result<CheckReport, CheckError> {
     let vertices = given.positions().len();
     if let Some(flipped) = flipped {
         check_retriangulated_faces(flipped, given.faces(), vertices)?;

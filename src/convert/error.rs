@@ -3,7 +3,7 @@
 use super::report::Report;
 use crate::matching::weighted::SolveError;
 use crate::pairing::{Algorithm, ProofError};
-use crate::quadrangulation::{CostCountError, Mismatch, NoSuchEdge};
+use crate::quadrangulation::{CheckError, CostCountError, NoSuchEdgeError};
 use crate::triangulation::Survey;
 
 /// Reason why a mesh was not converted.
@@ -15,7 +15,7 @@ pub enum ConvertError {
     Refused(#[from] Box<Survey>),
     /// The result failed its check: a mistake of this library.
     #[error("the result failed its check, please report this: {0}")]
-    Wrong(Mismatch),
+    Wrong(CheckError),
     /// The costs of the edges cannot be used.
     #[error("the costs of the edges: {0}")]
     Costs(SolveError),
@@ -30,7 +30,7 @@ pub enum ConvertError {
     CostCount(#[from] CostCountError),
     /// An edge to keep is none of the mesh.
     #[error(transparent)]
-    NoSuchEdge(#[from] NoSuchEdge),
+    NoSuchEdge(#[from] NoSuchEdgeError),
     /// The algorithm works on closed, two-sided surfaces only.
     #[error(
         "{0} works on closed, two-sided surfaces only: it needs three neighbours at every triangle \
@@ -51,8 +51,8 @@ pub enum ConvertError {
 }
 
 // Their texts stand in the message, so they are no sources: a chain of errors has each text once.
-impl From<Mismatch> for ConvertError {
-    fn from(mismatch: Mismatch) -> Self {
+impl From<CheckError> for ConvertError {
+    fn from(mismatch: CheckError) -> Self {
         Self::Wrong(mismatch)
     }
 }
@@ -83,8 +83,8 @@ mod tests {
     #[test]
     fn no_text_stands_twice_in_a_chain_of_errors() {
         let count = CostCountError { given: 3, edges: 6 };
-        let edge = NoSuchEdge { position: 0, ends: [1, 2] };
-        let vertices = Mismatch::VertexCount { quads: 4, triangles: 5 };
+        let edge = NoSuchEdgeError { position: 0, ends: [1, 2] };
+        let vertices = CheckError::VertexCount { quads: 4, triangles: 5 };
         let errors = [count.into(), edge.into(), ConvertError::from(vertices)];
         for error in errors {
             let chain = chain(&error);

@@ -98,7 +98,7 @@ impl MeshError {
 /// Returns the remedy for an error of the operating system, as an instruction to the user.
 pub fn io_remedy(error: &std::io::Error) -> &'static str {
     use std::io::ErrorKind;
-    if error.get_ref().is_some_and(|inner| inner.is::<crate::atomic_file::NoFolder>()) {
+    if error.get_ref().is_some_and(|inner| inner.is::<crate::atomic_file::NoFolderError>()) {
         return "make the folder first, or name another";
     }
     match error.kind() {

@@ -7,7 +7,7 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use super::mismatch::Mismatch;
+use super::check_error::CheckError;
 use crate::mesh::{Faces, Mesh};
 use crate::parallel::{collect, join, map, ranges};
 
@@ -43,7 +43,7 @@ pub struct CheckReport {
 /// let twice = mesh.clone().with_faces(Faces::uniform(4, vec![0, 2, 1, 3, 0, 2, 1, 3]));
 /// let mismatch = check(&twice, &mesh).unwrap_err();
 /// assert_eq!(mismatch.to_string(), "edge 1-3 is passed twice in the same direction");
-/// # Ok::<(), triquad::Mismatch>(())
+/// # Ok::<(), triquad::CheckError>(())
 /// ```
 ///
 /// # Errors
@@ -51,21 +51,21 @@ pub struct CheckReport {
 ///
 /// # Cost
 /// O(n) time; about 40 bytes a triangle while it runs.
-pub fn check(quads: &Mesh, triangles: &Mesh) -> Result<CheckReport, Mismatch> {
+pub fn check(quads: &Mesh, triangles: &Mesh) -> Result<CheckReport, CheckError> {
     let counts = [quads, triangles].map(|mesh| mesh.positions().len());
     if counts[0] != counts[1] {
-        return Err(Mismatch::VertexCount { quads: counts[0], triangles: counts[1] });
+        return Err(CheckError::VertexCount { quads: counts[0], triangles: counts[1] });
     }
     check_positions(quads.positions(), triangles.positions())?;
     check_faces(quads.faces(), triangles.faces(), triangles.positions().len())
 }
 
 /// Checks that two meshes of as many vertices have them in the same places.
-pub(super) fn check_positions(ours: &[[f64; 3]], given: &[[f64; 3]]) -> Result<(), Mismatch> {
+pub(super) fn check_positions(ours: &[[f64; 3]], given: &[[f64; 3]]) -> Result<(), CheckError> {
     // -0 is where 0 is, which adding 0 makes of it; NaN is at the place of an equal NaN.
     let bits = |position: &[f64; 3]| position.map(|coordinate| (coordinate + 0.0).to_bits());
     let moved = (0..ours.len()).find(|&v| bits(&ours[v]) != bits(&given[v]));
-    moved.map_or(Ok(()), |v| Err(Mismatch::Moved(v)))
+    moved.map_or(Ok(()), |v| Err(CheckError::Moved(v)))
 }
 
 /// Checks like [`check`], for meshes over the same `vertices` positions.
@@ -76,14 +76,14 @@ pub(crate) fn check_faces(
     quads: &Faces,
     triangles: &Faces,
     vertices: usize,
-) -> Result<CheckReport, Mismatch> {
+) -> Result<CheckReport, CheckError> {
     compare_faces(quads, triangles, vertices)
         .map_err(|mismatch| explain(mismatch, quads, triangles))
 }
 
 /// Returns what is wrong with a quad that is no pair of triangles, if it is that it is turned.
-fn explain(mismatch: Mismatch, quads: &Faces, triangles: &Faces) -> Mismatch {
-    let Mismatch::NotAPair(index) = mismatch else { return mismatch };
+fn explain(mismatch: CheckError, quads: &Faces, triangles: &Faces) -> CheckError {
+    let CheckError::NotAPair(index) = mismatch else { return mismatch };
     let [a, b, c, d] = [0, 1, 2, 3].map(|corner| quads[index][corner]);
     let is_there = |mut wanted: [u32; 3]| {
         put_least_first(&mut wanted);
@@ -94,7 +94,7 @@ fn explain(mismatch: Mismatch, quads: &Faces, triangles: &Faces) -> Mismatch {
     };
     let turned_pairs = [[[a, d, c], [a, c, b]], [[b, a, d], [b, d, c]]];
     let is_turned = turned_pairs.into_iter().any(|pair| pair.into_iter().all(is_there));
-    if is_turned { Mismatch::Reversed(index) } else { mismatch }
+    if is_turned { CheckError::Reversed(index) } else { mismatch }
 }
 
 /// Rotates a triangle so that its least corner comes first.
@@ -107,9 +107,9 @@ fn compare_faces(
     quads: &Faces,
     triangles: &Faces,
     vertices: usize,
-) -> Result<CheckReport, Mismatch> {
-    require_arity(quads, 4, vertices).map_err(Mismatch::NotAQuad)?;
-    require_arity(triangles, 3, vertices).map_err(Mismatch::BadTriangle)?;
+) -> Result<CheckReport, CheckError> {
+    require_arity(quads, 4, vertices).map_err(CheckError::NotAQuad)?;
+    require_arity(triangles, 3, vertices).map_err(CheckError::BadTriangle)?;
     let (of_quads, of_triangles) = join(
         || Corners::gather(quads.corners(), vertices),
         || Corners::gather(triangles.corners(), vertices),
@@ -127,7 +127,7 @@ fn compare_faces(
     let of_quads = euler(quads.corners().len(), quads.len());
     let of_triangles = euler(triangles.corners().len(), triangles.len());
     if of_quads != of_triangles {
-        return Err(Mismatch::EulerCharacteristic { quads: of_quads, triangles: of_triangles });
+        return Err(CheckError::EulerCharacteristic { quads: of_quads, triangles: of_triangles });
     }
     Ok(CheckReport {
         quads: quads.len(),
@@ -259,12 +259,12 @@ impl<'c, 'm> Visit<'c, 'm> {
         Self { quads: Star::new(quads), triangles: Star::new(triangles), inside }
     }
 
-    fn visit_stars(mut self, vertices: Range<usize>) -> Result<Found, Mismatch> {
+    fn visit_stars(mut self, vertices: Range<usize>) -> Result<Found, CheckError> {
         let mut found = Found::default();
         for v in vertices {
             let degree = self.quads.corners.star(v as u32).len();
             if (degree == 0) != self.triangles.corners.star(v as u32).is_empty() {
-                return Err(Mismatch::VertexUse(v));
+                return Err(CheckError::VertexUse(v));
             }
             found.used_vertices += usize::from(degree > 0);
             found.degree_two_vertices += usize::from(degree == 2);
@@ -273,28 +273,28 @@ impl<'c, 'm> Visit<'c, 'm> {
         Ok(found)
     }
 
-    fn visit_star(&mut self, v: u32) -> Result<(), Mismatch> {
-        self.triangles.enter(v).map_err(|head| Mismatch::EdgeTwice(v, head))?;
-        self.quads.enter(v).map_err(|head| Mismatch::EdgeTwice(v, head))?;
+    fn visit_star(&mut self, v: u32) -> Result<(), CheckError> {
+        self.triangles.enter(v).map_err(|head| CheckError::EdgeTwice(v, head))?;
+        self.quads.enter(v).map_err(|head| CheckError::EdgeTwice(v, head))?;
         let quads = self.quads.corners;
         for i in quads.star(v) {
             let corner = quads.at_vertex[i];
             let (head, tail) = (quads.head(corner), quads.tail(corner));
             if head == v || quads.vertex[quads.turn(corner, 2) as usize] == v {
-                return Err(Mismatch::RepeatedCorner(corner as usize / 4));
+                return Err(CheckError::RepeatedCorner(corner as usize / 4));
             }
             if self.quads.side(v, tail).is_none() {
-                return Err(Mismatch::EdgeOpen(tail, v));
+                return Err(CheckError::EdgeOpen(tail, v));
             }
             let triangle = self.triangles.side(v, head).map(|inner| inner / 3);
-            let triangle = triangle.ok_or(Mismatch::NotAPair(corner as usize / 4))?;
+            let triangle = triangle.ok_or(CheckError::NotAPair(corner as usize / 4))?;
             self.inside[corner as usize].store(triangle, Ordering::Relaxed);
         }
         self.check_one_fan(v)
     }
 
     /// Turns about `v` from its first quad; checks that all its quads come before that again.
-    fn check_one_fan(&self, v: u32) -> Result<(), Mismatch> {
+    fn check_one_fan(&self, v: u32) -> Result<(), CheckError> {
         let quads = self.quads.corners;
         let star = quads.star(v);
         let Some(&first) = quads.at_vertex[star.clone()].first() else { return Ok(()) };
@@ -303,10 +303,10 @@ impl<'c, 'm> Visit<'c, 'm> {
             corner = self.quads.side(v, quads.tail(corner)).expect("seen to exist");
             if corner == first {
                 let whole = turned == star.len();
-                return if whole { Ok(()) } else { Err(Mismatch::Fans(v as usize)) };
+                return if whole { Ok(()) } else { Err(CheckError::Fans(v as usize)) };
             }
         }
-        Err(Mismatch::Fans(v as usize))
+        Err(CheckError::Fans(v as usize))
     }
 }
 
@@ -314,21 +314,21 @@ impl<'c, 'm> Visit<'c, 'm> {
 ///
 /// A quad must have one triangle inside two sides in a row and another inside the other two.
 /// Both then lie on the diagonal between, in opposite directions.
-fn cover_triangles(inside: Vec<AtomicU32>, triangles: usize) -> Result<(), Mismatch> {
+fn cover_triangles(inside: Vec<AtomicU32>, triangles: usize) -> Result<(), CheckError> {
     let inside: Vec<u32> = inside.into_iter().map(AtomicU32::into_inner).collect();
     let mut covered = vec![false; triangles];
     for (quad, inside) in inside.as_chunks::<4>().0.iter().enumerate() {
         let &[a, b, c, d] = inside;
         let pair = a == b && c == d || b == c && d == a;
         if !pair || a == c {
-            return Err(Mismatch::NotAPair(quad));
+            return Err(CheckError::NotAPair(quad));
         }
         for triangle in [a, c] {
             if std::mem::replace(&mut covered[triangle as usize], true) {
-                return Err(Mismatch::TriangleTwice(triangle as usize));
+                return Err(CheckError::TriangleTwice(triangle as usize));
             }
         }
     }
     let unused = covered.iter().position(|covered| !covered);
-    unused.map_or(Ok(()), |triangle| Err(Mismatch::TriangleUnused(triangle)))
+    unused.map_or(Ok(()), |triangle| Err(CheckError::TriangleUnused(triangle)))
 }

@@ -4,7 +4,7 @@
 //! boundary and may be one-sided.
 
 use super::check::{CheckReport, check_positions, require_arity};
-use super::mismatch::Mismatch;
+use super::check_error::CheckError;
 use crate::dual::Matching;
 use crate::mesh::{Faces, Mesh};
 use crate::triangulation::TriangleId;
@@ -36,7 +36,7 @@ pub struct MixedCheck {
 /// let mixed = strip.clone().with_faces(Faces::from_iter([&[0, 1, 2, 3][..], &[1, 4, 2]]));
 /// let report = check_mixed(&mixed, &strip)?.report;
 /// assert_eq!((report.quads, report.triangles, report.euler_characteristic), (1, 1, 1));
-/// # Ok::<(), triquad::Mismatch>(())
+/// # Ok::<(), triquad::CheckError>(())
 /// ```
 ///
 /// # Errors
@@ -44,10 +44,10 @@ pub struct MixedCheck {
 ///
 /// # Cost
 /// O(n log n) time; about 70 bytes a triangle while it runs.
-pub fn check_mixed(mixed: &Mesh, triangles: &Mesh) -> Result<MixedCheck, Mismatch> {
+pub fn check_mixed(mixed: &Mesh, triangles: &Mesh) -> Result<MixedCheck, CheckError> {
     let counts = [mixed, triangles].map(|mesh| mesh.positions().len());
     if counts[0] != counts[1] {
-        return Err(Mismatch::VertexCount { quads: counts[0], triangles: counts[1] });
+        return Err(CheckError::VertexCount { quads: counts[0], triangles: counts[1] });
     }
     check_positions(mixed.positions(), triangles.positions())?;
     check_mixed_faces(mixed.faces(), triangles.faces(), counts[0])
@@ -61,8 +61,8 @@ pub(crate) fn check_mixed_faces(
     mixed: &Faces,
     triangles: &Faces,
     vertices: usize,
-) -> Result<MixedCheck, Mismatch> {
-    require_arity(triangles, 3, vertices).map_err(Mismatch::BadTriangle)?;
+) -> Result<MixedCheck, CheckError> {
+    require_arity(triangles, 3, vertices).map_err(CheckError::BadTriangle)?;
     for (face, corners) in mixed.iter().enumerate() {
         require_distinct(face, corners, vertices)?;
     }
@@ -72,12 +72,12 @@ pub(crate) fn check_mixed_faces(
         match *corners {
             [a, b, c] => cover.triangle(face, [a, b, c])?,
             [a, b, c, d] => cover.quad(face, [a, b, c, d])?,
-            _ => return Err(Mismatch::NotATriangleOrQuad(face)),
+            _ => return Err(CheckError::NotATriangleOrQuad(face)),
         }
         quads += usize::from(corners.len() == 4);
     }
     if let Some(unused) = cover.is_covered.iter().position(|covered| !covered) {
-        return Err(Mismatch::TriangleUnused(unused));
+        return Err(CheckError::TriangleUnused(unused));
     }
     let Degrees { edges, used, two } = Degrees::new(mixed, triangles, vertices);
     let report = CheckReport {
@@ -91,13 +91,13 @@ pub(crate) fn check_mixed_faces(
 }
 
 /// Checks that corners exist and none is repeated.
-fn require_distinct(face: usize, corners: &[u32], vertices: usize) -> Result<(), Mismatch> {
+fn require_distinct(face: usize, corners: &[u32], vertices: usize) -> Result<(), CheckError> {
     if corners.iter().any(|&v| v as usize >= vertices) {
-        return Err(Mismatch::NotATriangleOrQuad(face));
+        return Err(CheckError::NotATriangleOrQuad(face));
     }
     let is_repeated = |k: usize| corners[..k].contains(&corners[k]);
     if corners.len() <= 4 && (1..corners.len()).any(is_repeated) {
-        return Err(Mismatch::RepeatedCorner(face));
+        return Err(CheckError::RepeatedCorner(face));
     }
     Ok(())
 }
@@ -140,10 +140,10 @@ impl<'m> Cover<'m> {
     }
 
     /// Covers the triangle that a face of three corners is.
-    fn triangle(&mut self, face: usize, corners: [u32; 3]) -> Result<(), Mismatch> {
-        let triangle = self.find(corners).ok_or(Mismatch::NotATriangle(face))?;
+    fn triangle(&mut self, face: usize, corners: [u32; 3]) -> Result<(), CheckError> {
+        let triangle = self.find(corners).ok_or(CheckError::NotATriangle(face))?;
         if !self.runs(triangle, corners) {
-            return Err(Mismatch::Turned(face));
+            return Err(CheckError::Turned(face));
         }
         self.cover(triangle)
     }
@@ -152,7 +152,7 @@ impl<'m> Cover<'m> {
     ///
     /// Only four vertices whose four triangles all exist, a whole tetrahedron, can be cut in both
     /// ways; then the direction decides.
-    fn quad(&mut self, face: usize, [a, b, c, d]: [u32; 4]) -> Result<(), Mismatch> {
+    fn quad(&mut self, face: usize, [a, b, c, d]: [u32; 4]) -> Result<(), CheckError> {
         let cuts = [[[a, b, c], [c, d, a]], [[b, c, d], [d, a, b]]];
         let mut exists = false;
         for halves in cuts {
@@ -164,12 +164,12 @@ impl<'m> Cover<'m> {
                 return Ok(());
             }
         }
-        Err(if exists { Mismatch::Turned(face) } else { Mismatch::NotAPair(face) })
+        Err(if exists { CheckError::Turned(face) } else { CheckError::NotAPair(face) })
     }
 
-    fn cover(&mut self, triangle: usize) -> Result<(), Mismatch> {
+    fn cover(&mut self, triangle: usize) -> Result<(), CheckError> {
         match std::mem::replace(&mut self.is_covered[triangle], true) {
-            true => Err(Mismatch::TriangleTwice(triangle)),
+            true => Err(CheckError::TriangleTwice(triangle)),
             false => Ok(()),
         }
     }

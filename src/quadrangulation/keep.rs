@@ -37,7 +37,7 @@ pub struct Keep {
 /// An edge to keep that the mesh does not have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{} is no edge of the mesh", Element::Edge(ends[0], ends[1]))]
-pub struct NoSuchEdge {
+pub struct NoSuchEdgeError {
     /// Its position in [`Keep::edges`].
     pub position: usize,
     /// Its two vertices, from 0.
@@ -56,7 +56,7 @@ impl Keep {
     ///
     /// # Errors
     /// An edge listed is none of the mesh.
-    pub fn find(&self, surface: &impl Surface, mesh: &Mesh) -> Result<EdgeSet, NoSuchEdge> {
+    pub fn find(&self, surface: &impl Surface, mesh: &Mesh) -> Result<EdgeSet, NoSuchEdgeError> {
         if self.is_empty() {
             return Ok(EdgeSet::default());
         }
@@ -82,7 +82,11 @@ impl Keep {
         Ok(set)
     }
 
-    fn insert_listed(&self, surface: &impl Surface, set: &mut EdgeSet) -> Result<(), NoSuchEdge> {
+    fn insert_listed(
+        &self,
+        surface: &impl Surface,
+        set: &mut EdgeSet,
+    ) -> Result<(), NoSuchEdgeError> {
         if self.edges.is_empty() {
             return Ok(());
         }
@@ -97,7 +101,7 @@ impl Keep {
             }
         }
         match self.edges.iter().position(|&ends| !is_found[&sorted(ends)]) {
-            Some(position) => Err(NoSuchEdge { position, ends: self.edges[position] }),
+            Some(position) => Err(NoSuchEdgeError { position, ends: self.edges[position] }),
             None => Ok(()),
         }
     }
@@ -145,7 +149,7 @@ mod tests {
         let surface = Triangulation::build(&mesh).unwrap();
         let keep = Keep { edges: vec![[0, 2], [0, 7]], ..Keep::default() };
         let error = keep.find(&surface, &mesh).unwrap_err();
-        assert_eq!(error, NoSuchEdge { position: 1, ends: [0, 7] });
+        assert_eq!(error, NoSuchEdgeError { position: 1, ends: [0, 7] });
         assert_eq!(error.to_string(), "edge 1-8 is no edge of the mesh");
     }
 

@@ -38,6 +38,7 @@
 //! examples of its own: attributes that are carried over, listed costs, losses.
 
 mod check;
+mod check_error;
 mod check_mixed;
 mod cost;
 mod edge_ends;
@@ -45,7 +46,6 @@ mod edge_quad;
 mod keep;
 mod listed_costs;
 mod losses;
-mod mismatch;
 mod mixed;
 pub mod quality;
 mod retriangulation;
@@ -58,15 +58,15 @@ use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexI
 
 pub(crate) use check::check_faces;
 pub use check::{CheckReport, check};
+pub use check_error::CheckError;
 pub(crate) use check_mixed::check_mixed_faces;
 pub use check_mixed::{MixedCheck, check_mixed};
 pub use cost::{Cost, DefaultCost, ShapeCost, edge_costs};
 pub use edge_quad::EdgeQuad;
 use edge_quad::quad_corners;
-pub use keep::{Keep, NoSuchEdge};
+pub use keep::{Keep, NoSuchEdgeError};
 pub use listed_costs::{CostCountError, listed_costs};
 pub use losses::{AttributeLosses, Border};
-pub use mismatch::Mismatch;
 pub use mixed::MixedFaces;
 pub(crate) use retriangulation::check_retriangulated_faces;
 pub use retriangulation::{check_retriangulation, common_edges};

@@ -1,7 +1,7 @@
 //! A check that one triangle mesh triangulates the same surface as another, from the two alone.
 
 use super::check::{check_positions, require_arity};
-use super::mismatch::Mismatch;
+use super::check_error::CheckError;
 use crate::disjoint_sets::DisjointSets;
 use crate::mesh::{Faces, Mesh};
 
@@ -15,10 +15,10 @@ use crate::mesh::{Faces, Mesh};
 ///
 /// # Cost
 /// O(n log n), linear in practice; 26 bytes a vertex.
-pub fn check_retriangulation(triangles: &Mesh, given: &Mesh) -> Result<(), Mismatch> {
+pub fn check_retriangulation(triangles: &Mesh, given: &Mesh) -> Result<(), CheckError> {
     let counts = [triangles, given].map(|mesh| mesh.positions().len());
     if counts[0] != counts[1] {
-        return Err(Mismatch::TriangulationVertexCount { paired: counts[0], given: counts[1] });
+        return Err(CheckError::TriangulationVertexCount { paired: counts[0], given: counts[1] });
     }
     check_positions(triangles.positions(), given.positions())?;
     check_retriangulated_faces(triangles.faces(), given.faces(), given.positions().len())
@@ -54,9 +54,9 @@ pub(crate) fn check_retriangulated_faces(
     triangles: &Faces,
     given: &Faces,
     vertices: usize,
-) -> Result<(), Mismatch> {
+) -> Result<(), CheckError> {
     for faces in [triangles, given] {
-        require_arity(faces, 3, vertices).map_err(Mismatch::BadTriangle)?;
+        require_arity(faces, 3, vertices).map_err(CheckError::BadTriangle)?;
     }
     let [mut one, mut other] = [triangles, given].map(|faces| Components::of(faces, vertices));
     for v in 0..vertices as u32 {
@@ -64,10 +64,10 @@ pub(crate) fn check_retriangulated_faces(
         // That each root of one mesh is in the set of that of the other makes the sets equal.
         let same_set = one.sets.find(root_given) == root && other.sets.find(root) == root_given;
         if one.used[v as usize] != other.used[v as usize] {
-            return Err(Mismatch::VertexUse(v as usize));
+            return Err(CheckError::VertexUse(v as usize));
         }
         if !same_set || one.triangles[root as usize] != other.triangles[root_given as usize] {
-            return Err(Mismatch::Component(v as usize));
+            return Err(CheckError::Component(v as usize));
         }
     }
     Ok(())

@@ -10,7 +10,7 @@ use triquad::pairing::{LRS_ORDER, lrs, velho};
 use triquad::random::Random;
 use triquad::triangulation::HalfEdgeId;
 use triquad::{
-    Algorithm, Augmentation, Converter, Expansion, Mismatch, Quadrangulated, Quadrangulation,
+    Algorithm, Augmentation, CheckError, Converter, Expansion, Quadrangulated, Quadrangulation,
     Triangulation, check, check_retriangulation,
 };
 use triquad_generators::random::Mix;
@@ -232,19 +232,19 @@ fn a_retriangulation_has_the_same_components_on_the_same_vertices() {
     };
     assert_eq!(changed(&|_| ()), Ok(()));
     let half = torus.triangles.len();
-    assert_eq!(changed(&|all| all.truncate(half)), Err(Mismatch::VertexUse(20)));
+    assert_eq!(changed(&|all| all.truncate(half)), Err(CheckError::VertexUse(20)));
     let missing = changed(&|all| all.truncate(all.len() - 1));
-    assert!(matches!(missing, Err(Mismatch::Component(20))));
+    assert!(matches!(missing, Err(CheckError::Component(20))));
     let bridged = changed(&|all| all[0] = [0, 1, 25]);
-    assert!(matches!(bridged, Err(Mismatch::Component(0))));
-    assert_eq!(changed(&|all| all[3][1] = 999), Err(Mismatch::BadTriangle(3)));
+    assert!(matches!(bridged, Err(CheckError::Component(0))));
+    assert_eq!(changed(&|all| all[3][1] = 999), Err(CheckError::BadTriangle(3)));
     let mut moved = given.clone();
     moved.positions_mut()[2][0] += 1.0;
-    assert_eq!(check_retriangulation(&moved, &given), Err(Mismatch::Moved(2)));
+    assert_eq!(check_retriangulation(&moved, &given), Err(CheckError::Moved(2)));
     let more = [given.positions(), &[[0.0; 3]]].concat();
     let longer = Mesh::new(more, given.faces().clone());
     let counts = [longer.positions().len(), given.positions().len()];
-    let expected = Mismatch::TriangulationVertexCount { paired: counts[0], given: counts[1] };
+    let expected = CheckError::TriangulationVertexCount { paired: counts[0], given: counts[1] };
     assert_eq!(check_retriangulation(&longer, &given), Err(expected));
     assert!(!expected.to_string().contains("quad"), "{expected}");
 }
@@ -307,16 +307,16 @@ fn the_check_names_what_is_wrong() {
     };
     assert!(matches!(
         verdict(&|quads| quads.truncate(quads.len() - 1)),
-        Mismatch::EdgeOpen(..) | Mismatch::VertexUse(_)
+        CheckError::EdgeOpen(..) | CheckError::VertexUse(_)
     ));
-    assert!(matches!(verdict(&|quads| quads.push(quads[3])), Mismatch::EdgeTwice(..)));
-    assert!(matches!(verdict(&|quads| quads[2].reverse()), Mismatch::EdgeTwice(..)));
+    assert!(matches!(verdict(&|quads| quads.push(quads[3])), CheckError::EdgeTwice(..)));
+    assert!(matches!(verdict(&|quads| quads[2].reverse()), CheckError::EdgeTwice(..)));
     let folded = |quads: &mut Vec<[u32; 4]>| {
         let [a, b, c, _] = quads[0];
         *quads = vec![[a, b, c, b]; 1];
     };
-    assert!(matches!(verdict(&folded), Mismatch::RepeatedCorner(0) | Mismatch::VertexUse(_)));
-    assert_eq!(verdict(&|quads| quads[4][0] = 999), Mismatch::NotAQuad(4));
+    assert!(matches!(verdict(&folded), CheckError::RepeatedCorner(0) | CheckError::VertexUse(_)));
+    assert_eq!(verdict(&|quads| quads[4][0] = 999), CheckError::NotAQuad(4));
 
     let other = crate::common::face_list(&classic::octahedron());
     let quads_of_other = quads_of(&Triangulation::build(&other).unwrap());
@@ -327,10 +327,10 @@ fn the_check_names_what_is_wrong() {
     );
     let mut moved = with_quads(&other, quads_of_other);
     moved.positions_mut()[5][2] = 2.0;
-    assert_eq!(check(&moved, &other), Err(Mismatch::Moved(5)));
+    assert_eq!(check(&moved, &other), Err(CheckError::Moved(5)));
     let (positions, faces) = moved.into_parts();
     let shorter = Mesh::new(positions[..5].to_vec(), faces);
-    assert_eq!(check(&shorter, &other), Err(Mismatch::VertexCount { quads: 5, triangles: 6 }));
+    assert_eq!(check(&shorter, &other), Err(CheckError::VertexCount { quads: 5, triangles: 6 }));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use triquad::quadrangulation::{Keep, check_mixed};
 use triquad::random::Random;
 use triquad::triangulation::{OpenTriangulation, Surface as _, TriangleId};
 use triquad::{
-    Algorithm, ConvertError, Converted, Converter, DualGraph, Matching, Mesh, Mismatch, Survey,
+    Algorithm, CheckError, ConvertError, Converted, Converter, DualGraph, Matching, Mesh, Survey,
     Triangulation,
 };
 use triquad_generators::random::Mix;
@@ -352,24 +352,24 @@ fn the_check_of_mixed_meshes_names_what_is_wrong() {
     assert!(verdict(&|faces| faces.reverse()).is_ok());
 
     let wrong = |change: &dyn Fn(&mut Vec<Vec<u32>>)| verdict(change).unwrap_err();
-    assert!(matches!(wrong(&|f| drop(f.remove(triangle))), Mismatch::TriangleUnused(_)));
-    assert!(matches!(wrong(&|f| drop(f.remove(quad))), Mismatch::TriangleUnused(_)));
-    assert!(matches!(wrong(&|f| f.push(f[triangle].clone())), Mismatch::TriangleTwice(_)));
-    assert!(matches!(wrong(&|f| f.push(f[quad].clone())), Mismatch::TriangleTwice(_)));
-    assert_eq!(wrong(&|f| f[triangle].reverse()), Mismatch::Turned(triangle));
-    assert_eq!(wrong(&|f| f[quad].reverse()), Mismatch::Turned(quad));
-    assert_eq!(wrong(&|f| f[quad].swap(0, 1)), Mismatch::NotAPair(quad));
-    assert_eq!(wrong(&|f| f[quad][0] = f[quad][2]), Mismatch::RepeatedCorner(quad));
-    assert_eq!(wrong(&|f| f[quad][0] = 999), Mismatch::NotATriangleOrQuad(quad));
-    assert_eq!(wrong(&|f| f[quad].truncate(2)), Mismatch::NotATriangleOrQuad(quad));
+    assert!(matches!(wrong(&|f| drop(f.remove(triangle))), CheckError::TriangleUnused(_)));
+    assert!(matches!(wrong(&|f| drop(f.remove(quad))), CheckError::TriangleUnused(_)));
+    assert!(matches!(wrong(&|f| f.push(f[triangle].clone())), CheckError::TriangleTwice(_)));
+    assert!(matches!(wrong(&|f| f.push(f[quad].clone())), CheckError::TriangleTwice(_)));
+    assert_eq!(wrong(&|f| f[triangle].reverse()), CheckError::Turned(triangle));
+    assert_eq!(wrong(&|f| f[quad].reverse()), CheckError::Turned(quad));
+    assert_eq!(wrong(&|f| f[quad].swap(0, 1)), CheckError::NotAPair(quad));
+    assert_eq!(wrong(&|f| f[quad][0] = f[quad][2]), CheckError::RepeatedCorner(quad));
+    assert_eq!(wrong(&|f| f[quad][0] = 999), CheckError::NotATriangleOrQuad(quad));
+    assert_eq!(wrong(&|f| f[quad].truncate(2)), CheckError::NotATriangleOrQuad(quad));
     // Half of a quad in place of the quad.
     assert!(matches!(
         wrong(&|f| f[quad].truncate(3)),
-        Mismatch::TriangleUnused(_) | Mismatch::NotATriangle(_)
+        CheckError::TriangleUnused(_) | CheckError::NotATriangle(_)
     ));
     let mut moved = converted.mesh().clone();
     moved.positions_mut()[3][1] += 1.0;
-    assert_eq!(check_mixed(&moved, &mesh).unwrap_err(), Mismatch::Moved(3));
+    assert_eq!(check_mixed(&moved, &mesh).unwrap_err(), CheckError::Moved(3));
 }
 
 #[test]

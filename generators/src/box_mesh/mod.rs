@@ -35,8 +35,8 @@ mod tests;
 use crate::surface::Surface;
 use lattice::Lattice;
 
-pub use paper_box::{ImpossiblePaperBox, PaperBox, Walls};
-pub use shape::{BoxShape, ImpossibleBox};
+pub use paper_box::{ImpossiblePaperBoxError, PaperBox, Walls};
+pub use shape::{BoxShape, ImpossibleBoxError};
 
 impl BoxShape {
     /// The fewest vertices of a box with these cavities and holes: 8 without any, otherwise
@@ -67,25 +67,25 @@ impl BoxShape {
     /// If the vertices do not suffice, or are too many to number the half-edges.
     ///
     /// ```
-    /// use triquad_generators::box_mesh::{BoxShape, ImpossibleBox};
+    /// use triquad_generators::box_mesh::{BoxShape, ImpossibleBoxError};
     ///
     /// let torus = BoxShape { cavities: 0, holes: 1, vertices: 1000 };
     /// assert_eq!(torus.surface()?.triangles.len(), 2000);
     ///
     /// let too_small = BoxShape { vertices: 31, ..torus };
-    /// let why = ImpossibleBox::TooFewVertices { vertices: 31, minimum: 32 };
+    /// let why = ImpossibleBoxError::TooFewVertices { vertices: 31, minimum: 32 };
     /// assert_eq!(too_small.surface(), Err(why));
-    /// # Ok::<(), ImpossibleBox>(())
+    /// # Ok::<(), ImpossibleBoxError>(())
     /// ```
-    pub fn surface(&self) -> Result<Surface, ImpossibleBox> {
+    pub fn surface(&self) -> Result<Surface, ImpossibleBoxError> {
         let minimum = Self::minimum_vertices(self.cavities, self.holes);
         // E = 3 (V - 2 + 2g) by Euler's formula.
         let half_edges = 6 * (minimum.max(self.vertices.into()) - 2 + 2 * u64::from(self.holes));
         if half_edges > 1 << 31 {
-            return Err(ImpossibleBox::TooManyHalfEdges { half_edges });
+            return Err(ImpossibleBoxError::TooManyHalfEdges { half_edges });
         }
         if u64::from(self.vertices) < minimum {
-            return Err(ImpossibleBox::TooFewVertices { vertices: self.vertices, minimum });
+            return Err(ImpossibleBoxError::TooFewVertices { vertices: self.vertices, minimum });
         }
         Ok(build::surface(self))
     }

@@ -16,7 +16,7 @@ pub struct BoxShape {
 
 /// Reason why there is no such box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ImpossibleBox {
+pub enum ImpossibleBoxError {
     /// Fewer vertices than the corners of the faces and of the grid through them.
     TooFewVertices {
         /// The requested number.
@@ -33,7 +33,7 @@ pub enum ImpossibleBox {
     },
 }
 
-impl fmt::Display for ImpossibleBox {
+impl fmt::Display for ImpossibleBoxError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooFewVertices { vertices, minimum } => {
@@ -47,4 +47,4 @@ impl fmt::Display for ImpossibleBox {
     }
 }
 
-impl std::error::Error for ImpossibleBox {}
+impl std::error::Error for ImpossibleBoxError {}

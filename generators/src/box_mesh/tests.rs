@@ -230,7 +230,10 @@ fn less_than_the_minimum_is_refused() {
         assert_eq!(BoxShape::minimum_vertices(cavities, holes), minimum);
         for vertices in [0, minimum as u32 - 1] {
             let shape = BoxShape { cavities, holes, vertices };
-            assert_eq!(shape.surface(), Err(ImpossibleBox::TooFewVertices { vertices, minimum }));
+            assert_eq!(
+                shape.surface(),
+                Err(ImpossibleBoxError::TooFewVertices { vertices, minimum })
+            );
         }
     }
     let shape = BoxShape { cavities: 4, holes: 5, vertices: 143 };
@@ -243,10 +246,10 @@ fn more_than_all_half_edges_are_refused() {
     let limit = (1 << 31) / 6 + 2;
     let shape = BoxShape { cavities: 5, holes: 0, vertices: limit + 1 };
     let half_edges = 6 * u64::from(limit - 1);
-    assert_eq!(shape.surface(), Err(ImpossibleBox::TooManyHalfEdges { half_edges }));
+    assert_eq!(shape.surface(), Err(ImpossibleBoxError::TooManyHalfEdges { half_edges }));
     for (cavities, holes) in [(u32::MAX, u32::MAX), (0, u32::MAX), (u32::MAX, 0)] {
         let shape = BoxShape { cavities, holes, vertices: 1000 };
-        assert!(matches!(shape.surface(), Err(ImpossibleBox::TooManyHalfEdges { .. })));
+        assert!(matches!(shape.surface(), Err(ImpossibleBoxError::TooManyHalfEdges { .. })));
     }
 }
 

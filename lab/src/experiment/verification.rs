@@ -12,7 +12,8 @@ use triquad::quadrangulation::quality::Quality;
 use triquad::quadrangulation::{SharpEdges, check_mixed};
 use triquad::triangulation::{HalfEdgeId, Surface};
 use triquad::{
-    CheckReport, Mesh, Mismatch, Survey, Triangulation, check, check_retriangulation, common_edges,
+    CheckError, CheckReport, Mesh, Survey, Triangulation, check, check_retriangulation,
+    common_edges,
 };
 
 use super::flips;
@@ -27,7 +28,7 @@ pub enum ResultError {
     Input(Box<Survey>),
     /// It is no pairing of the input's triangles.
     #[error(transparent)]
-    Quads(#[from] Mismatch),
+    Quads(#[from] CheckError),
     /// It is no irreducible triangulation of the surface.
     #[error(transparent)]
     Reduced(#[from] IrreducibleError),

@@ -12,5 +12,5 @@ mod sealed;
 pub use cache::Cache;
 pub use recipe::{GenerateError, MeshKind, Recipe};
 pub use triquad_generators::box_mesh::{
-    BoxShape, ImpossibleBox, ImpossiblePaperBox, PaperBox, Walls,
+    BoxShape, ImpossibleBoxError, ImpossiblePaperBoxError, PaperBox, Walls,
 };

@@ -6,7 +6,9 @@ use triquad::mesh::{Mesh, MeshError};
 use triquad::random::Random;
 use triquad::simplify::{Rule, Simplifier, SimplifyError};
 use triquad::triangulation::Triangulation;
-use triquad_generators::box_mesh::{BoxShape, ImpossibleBox, ImpossiblePaperBox, PaperBox, Walls};
+use triquad_generators::box_mesh::{
+    BoxShape, ImpossibleBoxError, ImpossiblePaperBoxError, PaperBox, Walls,
+};
 use triquad_generators::{Surface, classic, organic};
 
 /// Origin of a mesh in records.
@@ -88,10 +90,10 @@ pub enum Recipe {
 pub enum GenerateError {
     /// There is no such box.
     #[error("{0}")]
-    Box(#[from] ImpossibleBox),
+    Box(#[from] ImpossibleBoxError),
     /// There is no such box of the papers' kind.
     #[error("{0}")]
-    PaperBox(#[from] ImpossiblePaperBox),
+    PaperBox(#[from] ImpossiblePaperBoxError),
     /// Simplification cannot get there.
     #[error("{0}")]
     Simplify(#[from] SimplifyError),

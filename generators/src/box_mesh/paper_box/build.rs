@@ -4,7 +4,7 @@
 //! file takes them row by row, as `docs/meshes.md` explains.
 
 use super::super::cell_surface::{CellSurface, Tube};
-use super::shape::{ImpossiblePaperBox, PaperBox, THICKNESS, Walls};
+use super::shape::{ImpossiblePaperBoxError, PaperBox, THICKNESS, Walls};
 use crate::surface::Surface;
 
 impl PaperBox {
@@ -24,16 +24,16 @@ impl PaperBox {
         &self,
         walls: Walls,
         below: &mut dyn FnMut(u32) -> u32,
-    ) -> Result<Surface, ImpossiblePaperBox> {
+    ) -> Result<Surface, ImpossiblePaperBoxError> {
         if self.depth == 0 {
-            return Err(ImpossiblePaperBox::NoDepth);
+            return Err(ImpossiblePaperBoxError::NoDepth);
         }
         let (holes, shafts) = (self.holes, u64::from(self.shafts).pow(2));
         if u64::from(holes) > shafts {
-            return Err(ImpossiblePaperBox::TooManyHoles { holes, shafts });
+            return Err(ImpossiblePaperBoxError::TooManyHoles { holes, shafts });
         }
         if self.triangles() > (1 << 31) / 3 {
-            return Err(ImpossiblePaperBox::TooManyHalfEdges);
+            return Err(ImpossiblePaperBoxError::TooManyHalfEdges);
         }
         Ok(build(self, walls, below))
     }

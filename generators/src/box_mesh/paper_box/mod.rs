@@ -23,4 +23,4 @@ mod shape;
 #[cfg(test)]
 mod tests;
 
-pub use shape::{ImpossiblePaperBox, PaperBox, Walls};
+pub use shape::{ImpossiblePaperBoxError, PaperBox, Walls};

@@ -40,7 +40,7 @@ pub enum Walls {
 
 /// Reason why there is no such box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ImpossiblePaperBox {
+pub enum ImpossiblePaperBoxError {
     /// Cavities without depth.
     NoDepth,
     /// More holes than shafts.
@@ -108,7 +108,7 @@ impl Walls {
     }
 }
 
-impl fmt::Display for ImpossiblePaperBox {
+impl fmt::Display for ImpossiblePaperBoxError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoDepth => write!(f, "shafts are at least 1 cell deep, not 0"),
@@ -120,4 +120,4 @@ impl fmt::Display for ImpossiblePaperBox {
     }
 }
 
-impl std::error::Error for ImpossiblePaperBox {}
+impl std::error::Error for ImpossiblePaperBoxError {}

@@ -1,7 +1,7 @@
 //! The box against its counts and the solid that it bounds.
 
 use super::shape::THICKNESS;
-use super::{ImpossiblePaperBox, PaperBox, Walls};
+use super::{ImpossiblePaperBoxError, PaperBox, Walls};
 use crate::check::{assert_distinct_positions, assert_oriented, degree_six_share, signed_volume};
 use crate::surface::Surface;
 use crate::testing::draws;
@@ -89,11 +89,11 @@ fn impossible_boxes_are_refused() {
     let refusal = |shafts, depth, holes| {
         PaperBox { shafts, depth, holes }.surface(Walls::Equal, &mut |_| 0).unwrap_err()
     };
-    assert_eq!(refusal(2, 0, 0), ImpossiblePaperBox::NoDepth);
-    let too_many = ImpossiblePaperBox::TooManyHoles { holes: 5, shafts: 4 };
+    assert_eq!(refusal(2, 0, 0), ImpossiblePaperBoxError::NoDepth);
+    let too_many = ImpossiblePaperBoxError::TooManyHoles { holes: 5, shafts: 4 };
     assert_eq!(refusal(2, 1, 5), too_many);
     assert_eq!(too_many.to_string(), "5 holes, but only 4 shafts");
     for (shafts, depth) in [(62, 1 << 20), (1 << 14, 1), (u32::MAX, u32::MAX), (0, u32::MAX)] {
-        assert_eq!(refusal(shafts, depth, 0), ImpossiblePaperBox::TooManyHalfEdges);
+        assert_eq!(refusal(shafts, depth, 0), ImpossiblePaperBoxError::TooManyHalfEdges);
     }
 }

@@ -8,7 +8,7 @@
     serde(rename_all = "kebab-case")
 )]
 #[non_exhaustive]
-pub enum Mismatch {
+pub enum CheckError {
     /// The triangle mesh has a face that is not a triangle, or names a missing vertex.
     #[error("face {} of the triangle mesh is no triangle of existing vertices", .0 + 1)]
     BadTriangle(usize),
