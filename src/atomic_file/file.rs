@@ -54,7 +54,8 @@ impl AtomicFile {
     ///
     /// # Errors
     /// `target` is a folder, a write-protected file or a link to nothing, its folder does not exist
-    /// ([`NoFolderError`]), or no file can be made there. Other errors are those of the file system.
+    /// ([`NoFolderError`]), or no file can be made there. Other errors are those of the file
+    /// system.
     pub fn create(target: impl AsRef<Path>) -> io::Result<Self> {
         let target = target.as_ref();
         let resolved = target.canonicalize().unwrap_or_else(|_| target.to_owned());
