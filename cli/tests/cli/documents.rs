@@ -12,6 +12,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A fenced block of a document.
 struct Block {
@@ -85,10 +86,11 @@ pub struct DocumentRun {
     failure: Option<String>,
 }
 
-/// Runs the commands of all documents, once for all tests.
+/// Runs the commands of all documents, once for all tests. Two at a time: two tests wait for it.
 pub fn runs() -> &'static [DocumentRun] {
     static RUNS: OnceLock<Vec<DocumentRun>> = OnceLock::new();
-    let run_one = |path: PathBuf| {
+    let run_one = |path: &PathBuf| {
+        let path = path.clone();
         let text = std::fs::read_to_string(&path).unwrap();
         let (printed, failure) = match run(&text, clone().path()) {
             Ok(printed) => (printed, None),
@@ -96,7 +98,20 @@ pub fn runs() -> &'static [DocumentRun] {
         };
         DocumentRun { path, text, printed, failure }
     };
-    RUNS.get_or_init(|| documents().into_iter().map(run_one).collect())
+    RUNS.get_or_init(|| {
+        let documents = documents();
+        let next = AtomicUsize::new(0);
+        let work = || {
+            let mine = || documents.get(next.fetch_add(1, Ordering::Relaxed));
+            std::iter::from_fn(mine).map(run_one).collect::<Vec<_>>()
+        };
+        std::thread::scope(|scope| {
+            let other = scope.spawn(work);
+            let mut runs = work();
+            runs.extend(other.join().unwrap());
+            runs
+        })
+    })
 }
 
 /// Runs a script that ends with its first failing command; returns all that it prints.

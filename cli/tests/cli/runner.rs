@@ -51,6 +51,7 @@ fn a_second_runner_is_refused_until_the_first_is_dead_and_no_row_is_lost() {
 #[test]
 fn what_cannot_be_begun_is_told_and_tried_again() {
     let shop = Workshop::new();
+    shop.ask_for_pictures();
     let mut broken = shop.command("run tiny.toml --scale demo --out out");
     // Where meshes cannot be kept.
     std::fs::write(shop.path("file"), "").unwrap();
