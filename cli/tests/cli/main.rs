@@ -2,6 +2,7 @@
 
 mod aims;
 mod cases_of_arguments;
+mod cases_of_newcomers;
 mod cases_of_readers;
 mod conveniences;
 mod defective_meshes;
