@@ -1,5 +1,6 @@
 //! Tests of the program `triquad`, as a user calls it.
 
+mod adversary;
 mod aims;
 mod cases_of_arguments;
 mod cases_of_newcomers;
