@@ -7,6 +7,7 @@ use triquad::quadrangulation::Keep;
 use triquad::{ConvertError, DefaultCost, ShapeCost};
 
 use crate::failure::Failure;
+use crate::input;
 
 /// The criteria of the best pairing.
 #[derive(clap::Args, Clone)]
@@ -161,16 +162,9 @@ impl ReadAims {
     }
 }
 
-fn read_text(path: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(path).map_err(|error| {
-        let remedy = "check the path and its permissions";
-        Failure::bad(format!("{}: {error}; {remedy}", path.display()))
-    })
-}
-
 /// Reads integers separated by blanks and line ends.
 pub fn read_costs(path: &Path) -> Result<Vec<i32>, Failure> {
-    let text = read_text(path)?;
+    let text = input::read_text(path)?;
     let words = (1..).zip(text.lines());
     let words =
         words.flat_map(|(line, text)| text.split_whitespace().map(move |word| (line, word)));
@@ -185,7 +179,7 @@ pub fn read_costs(path: &Path) -> Result<Vec<i32>, Failure> {
 
 /// Reads pairs of vertices counted from 1, each with its line; returns them counted from 0.
 fn read_edges(path: &Path) -> Result<Vec<(usize, [u32; 2])>, Failure> {
-    let text = read_text(path)?;
+    let text = input::read_text(path)?;
     let lines = (1..).zip(text.lines()).filter(|(_, text)| !text.trim().is_empty());
     let edge = |(line, text): (usize, &str)| {
         let ends = ends(text).ok_or_else(|| {

@@ -3,6 +3,7 @@
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use triquad::mesh::refuse_endless;
 use triquad_lab::experiment::Task;
 use triquad_lab::experiment::import::{self, ImportSettings, Imported};
 use triquad_lab::experiment::journal::Journal;
@@ -108,5 +109,5 @@ fn read_text(file: &Path) -> std::io::Result<String> {
         let mut text = String::new();
         return std::io::stdin().read_to_string(&mut text).map(|_| text);
     }
-    std::fs::read_to_string(file)
+    refuse_endless(file).and_then(|()| std::fs::read_to_string(file))
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use triquad::mesh::{Attributes, Format, MeshError, Reader};
+use triquad::mesh::{Attributes, Format, MeshError, Reader, refuse_endless};
 use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
 
@@ -59,9 +59,24 @@ pub fn read(path: &Path, reading: Reading) -> Result<Mesh, Failure> {
     let reader = reading.max_expanded.map_or(Reader::new(), |max| Reader::new().max_expanded(max));
     let mut mesh = reader.read(path).map_err(|error| mesh_failure(path, &error))?;
     if let Some(distance) = reading.weld {
+        let had_faces = !mesh.faces().is_empty();
         mesh.weld(distance);
+        if had_faces && mesh.faces().is_empty() {
+            let problem = format!("vertices at most {distance} apart made one leave no face");
+            let remedy = "give --weld a smaller distance";
+            return Err(Failure::bad(format!("{}: {problem}; {remedy}", path.display())));
+        }
     }
     Ok(mesh)
+}
+
+/// Reads a text: costs, edges, a certificate.
+pub fn read_text(path: &Path) -> Result<String, Failure> {
+    let text = refuse_endless(path).and_then(|()| std::fs::read_to_string(path));
+    text.map_err(|error| {
+        let remedy = "check the path and its permissions";
+        Failure::bad(format!("{}: {error}; {remedy}", path.display()))
+    })
 }
 
 /// Prints on standard error the content of the file that is not carried over.

@@ -41,6 +41,8 @@ mod results_folder;
 mod run;
 mod several;
 mod simplify;
+#[cfg(target_os = "linux")]
+mod stack;
 mod stdio;
 mod targets;
 mod threads;
@@ -73,6 +75,7 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 struct Arguments {
     /// Use N threads, by default one for each core; the results are the same
     #[arg(long, global = true, value_name = "N", help_heading = "Everywhere")]
+    #[arg(value_parser = threads::count)]
     threads: Option<NonZeroUsize>,
     #[command(flatten)]
     voice: stdio::Voice,
@@ -144,8 +147,18 @@ fn clean_up_when_interrupted() {
     let _ = ctrlc::set_handler(handler);
 }
 
-/// Runs the verb that the arguments name.
+#[cfg(target_os = "linux")]
 fn main() -> ExitCode {
+    stack::with_enough(tool)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn main() -> ExitCode {
+    tool()
+}
+
+/// Runs the verb that the arguments name.
+fn tool() -> ExitCode {
     end_with_parent();
     #[cfg(unix)]
     if let Some(code) = become_foreign_program() {

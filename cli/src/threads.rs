@@ -10,6 +10,15 @@ use triquad_lab::experiment::process::RUN_VARIABLE;
 #[cfg(unix)]
 use crate::stdio;
 
+/// The most threads: they work on one core each, and starting very many takes minutes.
+const MOST: usize = 1024;
+
+/// Parses a number of threads.
+pub fn count(text: &str) -> Result<NonZeroUsize, String> {
+    let count = text.parse::<NonZeroUsize>().ok().filter(|count| count.get() <= MOST);
+    count.ok_or_else(|| format!("'{text}' is not a number from 1 to {MOST}"))
+}
+
 /// Sets the number of threads: `wanted`, else one for each core.
 ///
 /// A run of an experiment takes one, like the programs of the papers. Where threads cannot be had,

@@ -1,6 +1,7 @@
 //! Attributes of corners and faces in an OBJ file.
 
 use super::corner_indices::CornerIndices;
+use super::face_sections::FaceSections;
 use super::text_list::TextList;
 
 /// Attributes of an OBJ file, in its own words.
@@ -18,7 +19,7 @@ pub struct Attributes {
     /// Normal of every corner, from 0.
     pub corner_normal: CornerIndices,
     /// Lines that hold from a face on: objects, groups, smoothing groups, materials.
-    pub sections: Vec<FaceSection>,
+    pub sections: FaceSections,
     /// Whole `mtllib` lines.
     pub libraries: Vec<String>,
 }
@@ -56,9 +57,7 @@ impl Attributes {
         for indices in [&mut self.corner_texture, &mut self.corner_normal] {
             *indices = indices.gather(sources.iter().copied());
         }
-        for section in &mut self.sections {
-            section.first_face = first_new[section.first_face];
-        }
+        self.sections = self.sections.moved(|face| first_new[face]);
     }
 
     /// Checks that the attributes fit a mesh of so many faces and corners. O(corners).
@@ -82,22 +81,6 @@ impl Attributes {
             first = section.first_face;
         }
         Ok(())
-    }
-}
-
-/// An `o`, `g`, `s` or `usemtl` line and the first face after it.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct FaceSection {
-    /// Index (from 0) of the first face that the line holds for.
-    pub first_face: usize,
-    /// The whole line.
-    pub line: String,
-}
-
-impl FaceSection {
-    /// Returns the first word of the line.
-    pub fn keyword(&self) -> &str {
-        self.line.split_whitespace().next().unwrap_or_default()
     }
 }
 

@@ -49,9 +49,7 @@ impl Reader {
             return self.read_any(&mut io::stdin().lock(), None);
         }
         let format = Format::from_path(path)?;
-        if path.is_dir() {
-            return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder").into());
-        }
+        refuse_endless(path)?;
         self.read_any(&mut File::open(path)?, Some(format))
     }
 
@@ -103,6 +101,30 @@ impl Mesh {
     pub fn parse(bytes: &[u8], format: Format) -> Result<Self, MeshError> {
         Self::read_from(bytes, format)
     }
+}
+
+/// Refuses a folder, and a device: some never end.
+///
+/// ```
+/// assert!(triquad::mesh::refuse_endless(".".as_ref()).is_err());
+/// ```
+///
+/// # Errors
+/// Says which of them it is.
+pub fn refuse_endless(path: &Path) -> io::Result<()> {
+    let Ok(facts) = path.metadata() else { return Ok(()) };
+    if facts.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a folder"));
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        let kind = facts.file_type();
+        if kind.is_char_device() || kind.is_block_device() {
+            return Err(io::Error::other("is a device, not a file"));
+        }
+    }
+    Ok(())
 }
 
 /// Reads the content of a file that is not gzipped.

@@ -30,6 +30,7 @@
 
 mod attributes;
 mod corner_indices;
+mod face_sections;
 mod faces;
 mod polygon_cut;
 mod polygon_mesh;
@@ -65,8 +66,9 @@ mod tokens;
 #[cfg(feature = "files")]
 mod weld;
 
-pub use attributes::{Attributes, AttributesError, FaceSection};
+pub use attributes::{Attributes, AttributesError};
 pub use corner_indices::CornerIndices;
+pub use face_sections::{FaceSection, FaceSections};
 pub use faces::{Faces, FacesIter, MAX_CORNERS};
 pub use polygon_mesh::Mesh;
 pub use text_list::{TextList, TextListIter};
@@ -75,7 +77,7 @@ pub use triangulate::CutError;
 #[cfg(feature = "files")]
 pub use error::{MeshError, Place, io_remedy};
 #[cfg(feature = "files")]
-pub use files::Reader;
+pub use files::{Reader, refuse_endless};
 #[cfg(feature = "files")]
 pub use format::Format;
 #[cfg(feature = "files")]

@@ -162,7 +162,7 @@ impl<'a> From<&'a Mesh> for Cow<'a, Mesh> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::attributes::FaceSection;
+    use crate::mesh::face_sections::{FaceSection, FaceSections};
 
     #[test]
     fn fans_carry_what_is_attached() {
@@ -170,10 +170,10 @@ mod tests {
         let mut list = Mesh::new(Vec::new(), Faces::from_iter(given));
         list.attributes = Some(Box::new(Attributes {
             corner_texture: (10..20).map(Some).collect(),
-            sections: vec![
-                FaceSection { first_face: 1, line: "g a".into() },
-                FaceSection { first_face: 3, line: "g b".into() },
-            ],
+            sections: FaceSections::from_iter([
+                FaceSection { first_face: 1, line: "g a" },
+                FaceSection { first_face: 3, line: "g b" },
+            ]),
             ..Attributes::default()
         }));
         list.triangulate().unwrap();
@@ -199,7 +199,7 @@ mod tests {
             let given = Attributes { corner_texture, ..given.clone() };
             assert_eq!(triangle().with_attributes(given).is_ok(), fits);
         }
-        let sections = vec![FaceSection { first_face: 2, line: "g a".into() }];
+        let sections = FaceSections::from_iter([FaceSection { first_face: 2, line: "g a" }]);
         let late = Attributes { sections, ..Attributes::default() };
         assert_eq!(triangle().with_attributes(late), Err(AttributesError::SectionOrder(0)));
     }

@@ -116,7 +116,7 @@ impl<'m> Changes<'m> {
         let mut state = [usize::MAX; 4];
         let mut states = vec![state];
         for (index, section) in attributes.sections.iter().enumerate() {
-            let line = *first_with.entry(section.line.as_str()).or_insert(index);
+            let line = *first_with.entry(section.line).or_insert(index);
             if let Some(kind) = KEYWORDS.iter().position(|word| *word == section.keyword()) {
                 state[kind] = line;
             }
@@ -153,9 +153,8 @@ impl<'m> Changes<'m> {
 
     /// Returns the state of the sections at a triangle.
     fn state(&self, triangle: TriangleId) -> [usize; 4] {
-        let sections = &self.attributes.sections;
         let face = triangle.index();
-        self.states[sections.partition_point(|section| section.first_face <= face)]
+        self.states[self.attributes.sections.count_before(face + 1)]
     }
 }
 

@@ -53,7 +53,7 @@ mod seams;
 mod sharp_edges;
 
 use crate::dual::PerfectMatching;
-use crate::mesh::{Attributes, CornerIndices, FaceSection, Faces, Mesh};
+use crate::mesh::{Attributes, CornerIndices, Faces, Mesh};
 use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexId};
 
 pub(crate) use check::check_faces;
@@ -181,16 +181,12 @@ fn carry(
     face_at: impl Fn(usize) -> usize,
 ) -> Attributes {
     let gather = |given: &CornerIndices| given.gather(sources.clone());
-    let carry_section = |section: &FaceSection| FaceSection {
-        first_face: face_at(section.first_face),
-        line: section.line.clone(),
-    };
     Attributes {
         texture_coordinates: given.texture_coordinates.clone(),
         normals: given.normals.clone(),
         corner_texture: gather(&given.corner_texture),
         corner_normal: gather(&given.corner_normal),
-        sections: given.sections.iter().map(carry_section).collect(),
+        sections: given.sections.moved(face_at),
         libraries: given.libraries.clone(),
     }
 }

@@ -52,9 +52,9 @@ fn face_sections(attributes: &Attributes, faces: usize) -> Vec<u32> {
     let mut state = [""; 3];
     let mut number = 0;
     let mut sections = Vec::with_capacity(faces);
-    for section in &attributes.sections {
+    for section in attributes.sections.iter() {
         sections.resize(section.first_face.min(faces), number);
-        let (keyword, name) = section.line.trim().split_once(' ').unwrap_or((&section.line, ""));
+        let (keyword, name) = section.line.trim().split_once(' ').unwrap_or((section.line, ""));
         if let Some(slot) = KEYWORDS.iter().position(|&known| known == keyword) {
             state[slot] = name.trim();
             let next = numbers.len() as u32;
@@ -84,9 +84,9 @@ mod tests {
         edges.map(|side| surface.ends(side).map(u32::from)).collect()
     }
 
-    fn sections(lines: &[(usize, &str)]) -> Attributes {
+    fn sections(lines: &[(usize, &'static str)]) -> Attributes {
         let section =
-            |&(first_face, line): &(usize, &str)| FaceSection { first_face, line: line.into() };
+            |&(first_face, line): &(usize, &'static str)| FaceSection { first_face, line };
         Attributes { sections: lines.iter().map(section).collect(), ..Attributes::default() }
     }
 

@@ -10,6 +10,7 @@ use triquad::matching::weighted::{Barrier, Certificate, Integers, NONE};
 
 use super::format::FIRST_LINE;
 use crate::failure::Failure;
+use crate::input;
 
 /// Statement of a certificate, and its proof.
 pub struct Stated {
@@ -22,10 +23,7 @@ pub struct Stated {
 
 /// Reads a certificate.
 pub fn read(path: &Path) -> Result<Stated, Failure> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        let remedy = "check the path and its permissions";
-        Failure::bad(format!("{}: {error}; {remedy}", path.display()))
-    })?;
+    let text = input::read_text(path)?;
     let mut reader = Reader { path, lines: text.lines().enumerate(), line: 0, words: Vec::new() };
     reader.stated()
 }

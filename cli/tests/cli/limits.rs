@@ -72,6 +72,35 @@ fn too_large_a_file_is_told_in_one_line() {
     }
 }
 
+/// 64 kB is less than the decoder of a gzip file, the solver and the report need.
+#[test]
+fn the_stack_of_the_shell_does_not_matter() {
+    let (workshop, expected) = workshop();
+    let limit = "ulimit -s 64";
+    for threads in ["", "--threads 1"] {
+        let run = run(&workshop, &[], limit, &format!("convert in.obj -o out.obj {threads}"));
+        assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""), "{run:?}");
+        assert_eq!(workshop.get("out.obj"), expected);
+    }
+    workshop.put_surface("in.obj.gz", &grids::sphere(9));
+    for arguments in [
+        "info in.obj.gz",
+        "convert in.obj.gz -o out.ply.gz",
+        "check out.ply.gz --against in.obj.gz",
+        "convert in.obj.gz --algorithm lrs -o out.ply.gz",
+        "irreducible in.obj -o least.obj",
+        "simplify in.obj --vertices 500 -o few.obj",
+        "draw in.obj -o picture.png",
+        "--help",
+    ] {
+        let run = run(&workshop, &[], limit, arguments);
+        assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""), "{arguments}: {run:?}");
+    }
+    // Failures have their codes there, too.
+    let run = run(&workshop, &[], limit, "convert absent.obj");
+    assert_eq!(run.code, Some(2), "{run:?}");
+}
+
 #[test]
 fn without_threads_one_does_everything() {
     let (workshop, expected) = workshop();

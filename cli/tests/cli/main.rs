@@ -1,7 +1,9 @@
 //! Tests of the program `triquad`, as a user calls it.
 
+mod adversary;
 mod aims;
 mod cases_of_arguments;
+mod cases_of_newcomers;
 mod cases_of_readers;
 mod conveniences;
 mod defective_meshes;

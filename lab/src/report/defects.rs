@@ -16,6 +16,8 @@ pub enum Defect {
     Missing(String, usize),
     /// Runs of a cell did not end well: how its runs ended, and why the first of these failed.
     Failed(String, String, String),
+    /// Rows of a cell are of so many machines or builds.
+    Mixed(String, usize),
     /// There is no plan.
     NoPlan,
     /// A machine is not described.
@@ -42,6 +44,10 @@ impl Defect {
         if cell.missing() > 0 {
             defects.push(Self::Missing(name.clone(), cell.missing()));
         }
+        let machines: BTreeSet<&String> = cell.ok_runs().map(|run| &run.machine).collect();
+        if machines.len() > 1 {
+            defects.push(Self::Mixed(name.clone(), machines.len()));
+        }
         if let Some(failed) = cell.runs.iter().find(|run| !run.is_ok()) {
             defects.push(Self::Failed(name, cell.outcome_text(), failed.reason.clone()));
         }
@@ -65,6 +71,9 @@ impl fmt::Display for Defect {
                 write!(f, "{cell}: {outcomes}")
             }
             Self::Failed(cell, outcomes, reason) => write!(f, "{cell}: {outcomes} ({reason})"),
+            Self::Mixed(cell, machines) => {
+                write!(f, "{cell}: rows of {machines} machines or builds, and means over all")
+            }
             Self::NoPlan => write!(f, "plan.csv: not there, so that missing runs are unknown"),
             Self::UnknownMachine(name) => {
                 write!(f, "machines.json: nothing about the machine {name}")

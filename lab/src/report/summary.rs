@@ -79,6 +79,11 @@ impl Summary {
         self.of_paper(paper).filter(move |cell| cell.id.mesh.name == mesh)
     }
 
+    /// Returns whether something is planned or done on a mesh of a paper. O(cells).
+    pub fn has_mesh(&self, paper: Paper, mesh: &str) -> bool {
+        self.of_mesh(paper, mesh).next().is_some()
+    }
+
     /// Returns the cells whose jobs do what the algorithms of a paper do. O(cells).
     pub fn of_paper(&self, paper: Paper) -> impl Iterator<Item = &Cell> {
         self.cells.iter().filter(move |cell| cell.id.job.task() == paper.task())

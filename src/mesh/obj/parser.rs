@@ -4,9 +4,10 @@ use super::blocks::Block;
 use super::cursor::{Cursor, Fault};
 use super::given::Given;
 use super::left_out::{Absent, Skipped};
-use crate::mesh::attributes::{Attributes, FaceSection};
+use crate::mesh::attributes::Attributes;
 use crate::mesh::corner_indices::CornerIndices;
 use crate::mesh::error::MeshError;
+use crate::mesh::face_sections::FaceSection;
 use crate::mesh::faces::MAX_CORNERS;
 use crate::mesh::polygon_mesh::Mesh;
 
@@ -63,9 +64,8 @@ impl Parser {
         attributes.normals.append(&chunk.attributes.normals);
         attributes.corner_texture.append(corners, &chunk.attributes.corner_texture);
         attributes.corner_normal.append(corners, &chunk.attributes.corner_normal);
-        for section in chunk.attributes.sections {
-            let first_face = faces + section.first_face;
-            attributes.sections.push(FaceSection { first_face, ..section });
+        for FaceSection { first_face, line } in chunk.attributes.sections.iter() {
+            attributes.sections.push(FaceSection { first_face: faces + first_face, line });
         }
         attributes.libraries.extend(chunk.attributes.libraries);
         self.absent_texture.append(chunk.absent_texture, behind);
@@ -159,15 +159,15 @@ impl Parser {
     fn other(&mut self, line: &[u8], left: usize) {
         let end = line.iter().position(u8::is_ascii_whitespace).unwrap_or(line.len());
         let (keyword, value) = line.split_at(end);
-        let text = || String::from_utf8_lossy(line).into_owned();
+        let text = || String::from_utf8_lossy(line);
         match keyword {
             b"vt" => self.attributes.texture_coordinates.push(value.trim_ascii_start()),
             b"vn" => self.attributes.normals.push(value.trim_ascii_start()),
             b"o" | b"g" | b"s" | b"usemtl" => {
                 let first_face = self.list.faces.len();
-                self.attributes.sections.push(FaceSection { first_face, line: text() });
+                self.attributes.sections.push(FaceSection { first_face, line: &text() });
             }
-            b"mtllib" => self.attributes.libraries.push(text()),
+            b"mtllib" => self.attributes.libraries.push(text().into_owned()),
             [] | [b'#', ..] => {}
             _ => self.skipped.note(keyword, line, left),
         }

@@ -3,7 +3,7 @@
 use super::blocks::BLOCK;
 use super::cursor::leading_digits;
 use super::*;
-use crate::mesh::attributes::FaceSection;
+use crate::mesh::face_sections::FaceSection;
 
 fn read(text: &[u8]) -> Result<Mesh, MeshError> {
     super::read(&mut &text[..])
@@ -77,7 +77,7 @@ fn names_that_end_in_a_backslash_swallow_no_statement() {
         let mesh = read(text.as_bytes()).unwrap();
         assert_eq!(mesh.positions, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
         let attributes = mesh.attributes.unwrap();
-        let mut lines: Vec<_> = attributes.sections.into_iter().map(|s| s.line).collect();
+        let mut lines: Vec<_> = attributes.sections.iter().map(|s| s.line.to_owned()).collect();
         lines.extend(attributes.libraries);
         let joined = lines[1].split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(
@@ -230,7 +230,8 @@ fn attributes_survive_a_round_trip() {
     assert_eq!(read(&written).unwrap(), list);
     let attributes = list.attributes.unwrap();
     assert!(attributes.corner_texture.iter().take(4).eq([Some(0), Some(1), Some(2), None]));
-    assert_eq!(attributes.sections[3], FaceSection { first_face: 1, line: "s off".into() });
+    let fourth = FaceSection { first_face: 1, line: "s off" };
+    assert_eq!(attributes.sections.iter().nth(3), Some(fourth));
 }
 
 #[test]

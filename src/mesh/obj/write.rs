@@ -118,8 +118,8 @@ impl Content<'_> {
 
     fn faces(self, range: Range<usize>, text: &mut Text) {
         let sections = &self.attributes.sections;
-        let written = sections.partition_point(|section| section.first_face < range.start);
-        let mut sections = sections[written..].iter().peekable();
+        let written = sections.count_before(range.start);
+        let mut sections = sections.iter_from(written).peekable();
         for face in range {
             while let Some(section) = sections.next_if(|section| section.first_face <= face) {
                 text.line("", section.line.as_bytes());

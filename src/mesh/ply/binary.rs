@@ -109,6 +109,10 @@ impl<const BIG_ENDIAN: bool> Source for Binary<'_, BIG_ENDIAN> {
         Ok(())
     }
 
+    fn least_size(&self, kind: Scalar) -> usize {
+        kind.size()
+    }
+
     fn rest(&self) -> &[u8] {
         &self.bytes[self.position..]
     }

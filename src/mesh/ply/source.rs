@@ -19,6 +19,9 @@ pub(super) trait Source {
     /// Passes over `times` values.
     fn skip(&mut self, kind: Scalar, times: usize) -> Result<(), MeshError>;
 
+    /// Returns the bytes that a value takes at least.
+    fn least_size(&self, kind: Scalar) -> usize;
+
     /// Returns everything that was not read yet.
     fn rest(&self) -> &[u8];
 
@@ -69,6 +72,11 @@ impl Source for Tokens<'_> {
 
     fn skip(&mut self, _: Scalar, times: usize) -> Result<(), MeshError> {
         (0..times).try_for_each(|_| self.read("a value", |_| Some(())))
+    }
+
+    fn least_size(&self, _: Scalar) -> usize {
+        // A digit and a blank.
+        2
     }
 
     fn rest(&self) -> &[u8] {

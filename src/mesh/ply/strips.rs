@@ -12,6 +12,14 @@ pub(super) fn read_strips(
     faces: &mut Faces,
 ) -> Result<(), MeshError> {
     let plan = element.plan();
+    for &(is_corners, kind) in &plan {
+        if let Kind::List { item, .. } = kind
+            && is_corners
+        {
+            // A value ends one triangle at most. Lists that double would take twice as much.
+            faces.reserve(3 * (source.rest().len() / source.least_size(item)));
+        }
+    }
     for_each_record(element, 0, || {
         for &(is_corners, kind) in &plan {
             match kind {

@@ -126,6 +126,10 @@ impl<S: Source> Source for ByTheValue<S> {
         self.0.skip(kind, times)
     }
 
+    fn least_size(&self, kind: Scalar) -> usize {
+        self.0.least_size(kind)
+    }
+
     fn rest(&self) -> &[u8] {
         self.0.rest()
     }

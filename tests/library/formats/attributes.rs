@@ -4,7 +4,7 @@ use super::texts::{
     Given, assert_same, attributed_text, parse_obj, sections, surfaces, through_file,
 };
 use crate::common::face_list;
-use triquad::mesh::{Attributes, CornerIndices, FaceSection, Mesh};
+use triquad::mesh::{Attributes, CornerIndices, FaceSections, Mesh};
 use triquad::{Algorithm, Converter};
 use triquad_generators::grids;
 
@@ -119,10 +119,11 @@ fn quad_sources(quads: &Mesh, triangles: &Mesh, what: &str) -> Vec<[usize; 2]> {
 /// Each quad lies in the sections of its lower triangle, and these come in the order of the file.
 fn assert_sections_follow(quads: &Mesh, triangles: &Mesh, sources: &[[usize; 2]], what: &str) {
     let (of_quads, of_triangles) = (&attributes(quads).sections, &attributes(triangles).sections);
-    let lines =
-        |sections: &[FaceSection]| sections.iter().map(|s| s.line.clone()).collect::<Vec<_>>();
+    let lines = |sections: &FaceSections| -> Vec<String> {
+        sections.iter().map(|section| section.line.to_owned()).collect()
+    };
     assert_eq!(lines(of_quads), lines(of_triangles), "{what}");
-    let begun = |sections: &[FaceSection], face: usize| {
+    let begun = |sections: &FaceSections, face: usize| {
         sections.iter().filter(|s| s.first_face <= face).count()
     };
     for (quad, [lower, _]) in sources.iter().enumerate() {

@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::common::{face_list, random_of, special_surfaces};
 use flate2::read::MultiGzDecoder;
 use triquad::Converter;
-use triquad::mesh::{FaceSection, Format, Mesh, Output};
+use triquad::mesh::{FaceSection, FaceSections, Format, Mesh, Output};
 use triquad::random::Random;
 use triquad_generators::Surface;
 use triquad_generators::random::Mix;
@@ -243,10 +243,10 @@ pub fn obj_text(mesh: &Mesh) -> String {
 }
 
 /// Returns the sections of [`attributed_text`].
-pub fn sections(mesh: &Mesh) -> Vec<FaceSection> {
-    let at = |(percent, line): &(usize, &str)| FaceSection {
+pub fn sections(mesh: &Mesh) -> FaceSections {
+    let at = |&(percent, line): &(usize, &'static str)| FaceSection {
         first_face: mesh.faces().len() * percent / 100,
-        line: (*line).to_owned(),
+        line,
     };
     SECTIONS.iter().map(at).collect()
 }

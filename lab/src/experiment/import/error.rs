@@ -1,11 +1,21 @@
 //! Faults of a file of results.
 
+/// Characters that the name of an algorithm may have.
+pub(super) const LONGEST_NAME: usize = 60;
+
 /// Reason why a file cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum ImportError {
     /// It is no table of comma-separated values.
     #[error("it cannot be read: {0}")]
     Csv(#[from] csv::Error),
+    /// The name of the algorithm would break tables, or be a formula in them.
+    #[error(
+        "no algorithm can be called {0:?}: give it a name of up to {longest} characters, the first \
+         of them a letter or digit, none a line break",
+        longest = LONGEST_NAME
+    )]
+    Name(String),
     /// There is no column for the mesh.
     #[error("no column says which mesh; map one to it: --map \"NAME=mesh\"")]
     NoMesh,

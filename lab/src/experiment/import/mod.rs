@@ -95,6 +95,9 @@ const OF_REDUCTIONS: [&str; 6] = [
 /// # Errors
 /// It lacks the mesh or any number, or a name in it is not known: the nearest known one is named.
 pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportError> {
+    if !is_name(&settings.algorithm) {
+        return Err(ImportError::Name(settings.algorithm.clone()));
+    }
     let text = text.trim_start_matches('\u{feff}');
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
     let header = reader.headers()?.clone();
@@ -170,6 +173,13 @@ fn columns(header: &StringRecord, settings: &ImportSettings) -> Result<Vec<Strin
     };
     columns.iter().find(is_number).ok_or(ImportError::NoNumber)?;
     Ok(columns)
+}
+
+/// Returns whether rows can have this name: it stands in tables and on the page.
+fn is_name(name: &str) -> bool {
+    name.starts_with(char::is_alphanumeric)
+        && !name.contains(char::is_control)
+        && name.chars().count() <= error::LONGEST_NAME
 }
 
 fn known_columns() -> Vec<String> {

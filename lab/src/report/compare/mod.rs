@@ -153,6 +153,11 @@ pub fn holds_of_the_paper(claim: &Claim) -> Option<bool> {
 }
 
 fn paper_text(claim: &Claim, printed: &[MeshNumber]) -> String {
+    if claim.kind == ClaimKind::Seconds {
+        // Ours are scaled to them; they themselves are not.
+        let of_mesh = |point: &MeshNumber| format!("{} {}", point.mesh, significant(point.value));
+        return printed.iter().map(of_mesh).collect::<Vec<_>>().join("; ");
+    }
     let found = (!printed.is_empty()).then(|| claim.predicate.test(printed, printed).found);
     match found {
         Some(found) if claim.paper.is_empty() => found,

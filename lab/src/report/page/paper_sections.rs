@@ -9,6 +9,7 @@ use crate::algorithms::AlgorithmFacts;
 use crate::paper::{Paper, Table};
 use crate::pictures::Subject;
 use crate::report::plots::{Counterpart, Plot};
+use crate::report::tables::ReportTable;
 
 /// A paper with its tables and figures.
 #[derive(Serialize)]
@@ -63,17 +64,19 @@ pub fn papers<'a>(parts: &Parts<'a>) -> Vec<PaperSection<'a>> {
     ]
 }
 
-/// Makes the entries of a paper's tables; a table without runs has a sentence instead.
+/// Makes the entries of a paper's tables; one without runs has a sentence instead.
 fn tables<'a>(parts: &Parts<'a>, paper: Paper) -> Vec<Entry<'a>> {
-    let has_runs = !parts.results.records.is_empty();
+    let has_runs =
+        |ours: &ReportTable| ours.rows.iter().any(|row| parts.summary.has_mesh(paper, &row.mesh));
     let entry = |table: Table| {
         let name = format!("Table {}", table.number);
         let ours = parts.tables.iter().find(|ours| ours.paper == Some(table));
+        let ours = ours.filter(|&ours| has_runs(ours));
         Entry {
             id: id_of(table.file),
             heading: format!("{name}: {}", table.title),
             name,
-            empty: (!has_runs || ours.is_none()).then_some("No run is recorded for this table."),
+            empty: ours.is_none().then_some("No run is recorded for this table."),
             table: ours.map(|table| TableView::new(table, parts.summary)),
             plots: plots(parts, Counterpart::Table(table)),
             pictures: Vec::new(),

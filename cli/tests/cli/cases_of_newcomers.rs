@@ -1,0 +1,191 @@
+//! What people stumbled over who tried the tool for the first time: each case with the right value.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use triquad::Mesh;
+use triquad_generators::{Surface, grids};
+
+use crate::experiments::Workshop as Laboratory;
+use crate::workshop::{Workshop, assert_contains};
+
+/// An experiment and a group that no table is named after.
+const EXPERIMENT: &str = r#"
+    name = "evening"
+    title = "Own meshes"
+    task = "convert"
+    seed = 3
+    [limits]
+    timeout_seconds = 60
+    memory_gigabytes = 4
+    [[group]]
+    name = "anything"
+    meshes = ["botijo", "ring"]
+    other_data = true
+    [[group.run]]
+    algorithms = ["ps", "tq"]
+    augmentations = ["tarjan"]
+    repetitions = { full = 2, small = 2, demo = 2 }
+"#;
+/// Two meshes, two algorithms, twice.
+const RUNS: usize = 8;
+
+/// A laboratory with the experiment and a mesh that it names and that lies in the data folder.
+fn laboratory() -> Laboratory {
+    let shop = Laboratory::new();
+    std::fs::write(shop.path("own.toml"), EXPERIMENT).unwrap();
+    std::fs::create_dir(shop.path("data")).unwrap();
+    let Surface { positions, triangles } = grids::torus(12, 9);
+    let ring = Mesh::from_triangles(positions, triangles);
+    let mut text = Vec::new();
+    ring.write_to(&mut text, triquad::mesh::Format::Obj).unwrap();
+    std::fs::write(shop.path("data/ring.obj"), text).unwrap();
+    shop
+}
+
+fn text(shop: &Laboratory, file: &str) -> String {
+    std::fs::read_to_string(shop.path(file)).unwrap()
+}
+
+/// The content of a section of the page, by the name that links lead to.
+fn section<'p>(page: &'p str, id: &str) -> &'p str {
+    let from = page.find(&format!("<details id=\"{id}\">")).unwrap_or_else(|| panic!("{id}"));
+    let section = &page[from..];
+    &section[..section.find("</details>").unwrap()]
+}
+
+fn edges(mesh: &Mesh) -> BTreeSet<[u32; 2]> {
+    let faces = mesh.faces().iter();
+    let of_face = |face: &[u32]| -> Vec<[u32; 2]> {
+        let ends = |k: usize| [face[k], face[(k + 1) % face.len()]];
+        (0..face.len()).map(ends).map(|[a, b]| [a.min(b), a.max(b)]).collect()
+    };
+    faces.flat_map(of_face).collect()
+}
+
+/// Seams and borders of materials inside quads are counted, and none is left inside with
+/// `--keep-seams`.
+#[test]
+fn edges_between_materials_are_counted_or_kept() {
+    let workshop = Workshop::new();
+    let surface = grids::torus(12, 9);
+    workshop.put_surface("plain.obj", &surface);
+    let plain = String::from_utf8(workshop.get("plain.obj")).unwrap();
+    // Bands of two rows of squares, one after the other in the file.
+    let band = |face: usize| face / 36 % 2;
+    let mut faces = 0..;
+    let lines = plain.lines().map(|line| {
+        let face = if line.starts_with("f ") { faces.next() } else { None };
+        let first = face.filter(|face| face % 36 == 0);
+        let material = first.map(|face| format!("usemtl {}\n", ["red", "blue"][band(face)]));
+        format!("{}{line}\n", material.unwrap_or_default())
+    });
+    workshop.put("in.obj", lines.collect::<String>());
+    let mesh = workshop.mesh("in.obj");
+    let of_band = |wanted: usize| -> BTreeSet<[u32; 2]> {
+        let all = mesh.faces().iter().enumerate();
+        let faces = all.filter(|(face, _)| band(*face) == wanted).map(|(_, face)| face);
+        edges(&Mesh::new(mesh.positions().to_vec(), faces.collect()))
+    };
+    let borders: BTreeSet<_> = of_band(0).intersection(&of_band(1)).copied().collect();
+    for algorithm in ["sg", "ps", "best"] {
+        let convert = format!("convert in.obj -o out.obj --algorithm {algorithm} --stats -");
+        let stats = workshop.json(&convert, 0);
+        let lost = borders.difference(&edges(&workshop.mesh("out.obj"))).count();
+        assert!(lost > 0 || algorithm == "best", "{algorithm} loses nothing");
+        let note = format!("{lost} of {} edges between materials (inside quads)", borders.len());
+        let told = stats["left_out"].to_string();
+        assert_eq!(told.contains(&note), lost > 0, "{algorithm}: {lost} in {told}");
+        assert_eq!(told.contains("edges between materials"), lost > 0, "{told}");
+    }
+    let stats = workshop.json("convert in.obj -o out.obj --keep-seams --stats -", 0);
+    assert!(borders.is_subset(&edges(&workshop.mesh("out.obj"))), "{stats}");
+    assert_eq!(stats["kept_edges"].as_u64(), Some(borders.len() as u64));
+    assert_eq!(stats["left_out"], serde_json::json!([]));
+}
+
+/// Tables do not hang on the names of experiments and groups; those without runs are not shown.
+#[test]
+fn experiments_and_groups_may_have_any_name() {
+    let shop = laboratory();
+    shop.succeed("run own.toml --data data --scale demo --out out");
+    let results = shop.results("out");
+    assert_eq!(results.records.len(), RUNS);
+    for table in ["table_data.csv", "table_quality.csv", "table_memory.csv"] {
+        assert_contains(&text(&shop, &format!("out/{table}")), &["ring,PS"], table);
+    }
+    let scans = text(&shop, "out/table_4_3.csv");
+    let row = scans.lines().find(|line| line.starts_with("botijo,ps,")).unwrap();
+    assert!(row.contains(",ok 2,"), "{row}");
+    let page = text(&shop, "out/index.html");
+    assert_contains(section(&page, "table-4-3"), &["<table", "botijo"], "Table 4.3");
+    for without_runs in ["table-4-4-i", "table-4-2-a", "table-6", "table-11"] {
+        let section = section(&page, without_runs);
+        assert_contains(section, &["No run is recorded for this table."], without_runs);
+        assert!(!section.contains("<table"), "{section}");
+    }
+}
+
+/// A mesh that is named, and lies in the data folder too, is one mesh.
+#[test]
+fn a_plan_has_as_many_runs_as_are_made() {
+    let shop = laboratory();
+    // At this scale the data folder is used; without the stand-in it takes no longer.
+    let text = EXPERIMENT.replace("\"botijo\", ", "");
+    std::fs::write(shop.path("own.toml"), text).unwrap();
+    let plan = shop.run("plan own.toml --data data --scale full");
+    let plan = String::from_utf8(plan.stdout).unwrap();
+    assert_contains(&plan, &[&format!("{} runs:", RUNS / 2)], "plan");
+    assert_eq!(plan.matches("  ring ").count(), 1, "{plan}");
+    shop.succeed("run own.toml --data data --scale full --out out");
+    assert_eq!(shop.results("out").records.len(), RUNS / 2);
+}
+
+/// Numbers of another seed take the place of the old ones; where rows of two builds are left in a
+/// mean, that is told.
+#[test]
+fn means_over_rows_of_two_builds_are_marked() {
+    let shop = laboratory();
+    shop.succeed("run own.toml --data data --scale demo --out out");
+    let before = shop.results("out").records;
+    std::fs::write(shop.path("own.toml"), EXPERIMENT.replace("seed = 3", "seed = 4")).unwrap();
+    shop.succeed("run own.toml --data data --scale demo --out out");
+    let after = shop.results("out").records;
+    assert_eq!((after.len(), text(&shop, "out/runs.csv").lines().count()), (RUNS, 1 + 2 * RUNS));
+    let seeds = |records: &[triquad_lab::experiment::RunRecord]| -> BTreeSet<u64> {
+        records.iter().map(|record| record.seed).collect()
+    };
+    assert!(seeds(&before).is_disjoint(&seeds(&after)));
+    let mark = "evening: PS on ring: rows of 2 machines or builds";
+    let page = text(&shop, "out/index.html");
+    assert!(!page.contains("machines or builds"), "{page}");
+    // As another build leaves it that was stopped after one run.
+    let runs = text(&shop, "out/runs.csv");
+    let is_one = |line: &&str| line.contains(",ring,") && line.contains(",ps,");
+    let last = runs.lines().rfind(is_one).unwrap();
+    let other = last.replacen(&after[0].machine, "another", 1);
+    std::fs::write(shop.path("out/runs.csv"), format!("{runs}{other}\n")).unwrap();
+    shop.succeed("report out");
+    assert_contains(&text(&shop, "out/index.html"), &[mark], "page");
+}
+
+/// `make test` ends with the tests that did nothing, and why.
+#[test]
+fn tests_that_skip_are_listed() {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../.ci/skipped");
+    let shop = Workshop::new();
+    if !script.exists() {
+        println!("skipped: no .ci beside the package");
+        return;
+    }
+    let listed = |log: &str| {
+        shop.put("log", log);
+        let list = Command::new(&script).arg(shop.path("log")).stdin(Stdio::null()).output();
+        String::from_utf8(list.unwrap().stdout).unwrap()
+    };
+    let log = "test a::one ... ok\nsuccesses:\n\n---- a::one stdout ----\nskipped: no python\n\n\
+               ---- a::two stdout ----\nread\n";
+    assert_eq!(listed(log), "Skipped:\n  a::one: no python\n");
+    assert_eq!(listed("---- a::two stdout ----\nnot skipped: read\n"), "No test was skipped.\n");
+}
