@@ -3,8 +3,10 @@
 use std::path::PathBuf;
 
 use serde::Serialize;
+use triquad::Mesh;
 use triquad::clock::{Clock, SystemClock};
 use triquad::irreducible::{Contractor, Counts, Order, check_irreducible};
+use triquad::mesh::Faces;
 
 use crate::failure::Failure;
 use crate::formats::{may_write, reads};
@@ -76,11 +78,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let mut opened = Opened::open(input, output.as_deref(), options, &clock)?;
     let size = opened.size;
+    // The triangulation has the faces too: 12 bytes a triangle less while edges are contracted.
+    let (positions, _) = opened.mesh.into_parts();
+    let points = Mesh::new(positions, Faces::uniform(3, Vec::new()));
     opened.status.say("contracting edges");
     let (irreducible, seconds) =
         clock.time(|| algorithm.reduce(opened.triangulation, *order, *seed));
     opened.status.say("checking what is left");
-    let left = irreducible.mesh(&opened.mesh);
+    let left = irreducible.mesh(&points);
     let (verdict, check_seconds) =
         clock.time(|| check_irreducible(&left, size.components, size.genus));
     let input = input.display().to_string();

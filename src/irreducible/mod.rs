@@ -145,8 +145,17 @@ impl Contractor {
         let k = ShrinkingTriangulation::from(triangulation);
         let reduction = match self {
             Self::RamaswamiSiqueira => {
-                let order = order.vertex_ids(k.vertex_id_count(), &mut random);
-                ramaswami_siqueira(k, order, Discipline::default())
+                let (vertices, discipline) = (k.vertex_id_count(), Discipline::default());
+                match order {
+                    // Needs no list of them.
+                    Order::File => {
+                        ramaswami_siqueira(k, (0..vertices).map(VertexId::new), discipline)
+                    }
+                    Order::Random => {
+                        let order = order.vertex_ids(vertices, &mut random);
+                        ramaswami_siqueira(k, order, discipline)
+                    }
+                }
             }
             Self::Schipper => schipper(k, &mut random),
             Self::BruteForce => brute_force(k, &mut random),

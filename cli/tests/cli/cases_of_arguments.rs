@@ -3,15 +3,20 @@
 
 use triquad_generators::classic;
 
+use crate::experiment_text::experiment;
 use crate::workshop::{Workshop, assert_contains};
 
 const TETRAHEDRON: &str =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
-const EXPERIMENT: &str = "name = \"tiny\"\ntitle = \"t\"\ntask = \"convert\"\nseed = 3\n\
-     [limits]\ntimeout_seconds = 60\nmemory_gigabytes = 4\n[[group]]\nname = \"all\"\n\
-     meshes = [\"botijo\"]\n[[group.run]]\nalgorithms = [\"tq\"]\naugmentations = [\"local\"]\n\
-     repetitions = { full = 1, small = 1, demo = 1 }\n";
+const EXPERIMENT: &str = experiment!(
+    "tiny",
+    "convert",
+    r#"["botijo"]"#,
+    r#"algorithms = ["tq"]
+        augmentations = ["local"]
+        repetitions = { full = 1, small = 1, demo = 1 }"#,
+);
 
 fn workshop() -> Workshop {
     let workshop = Workshop::new();

@@ -5,51 +5,35 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use crate::experiment_text::experiment;
 use crate::repeatable::repeatable;
 use tempfile::TempDir;
 use triquad::mesh::{Mesh, Output as MeshOutput};
 use triquad_generators::{Surface, classic, grids};
 use triquad_lab::experiment::{Outcome, Results, RunRecord};
 
-const EXPERIMENT: &str = r#"
-    name = "tiny"
-    title = "A few runs of everything"
-    task = "convert"
-    seed = 3
-    [limits]
-    timeout_seconds = 60
-    memory_gigabytes = 4
-    [[group]]
-    name = "all"
-    meshes = ["botijo", "A5", "B5"]
-    [[group.run]]
-    algorithms = ["sg", "ps"]
-    augmentations = ["tarjan", "local"]
-    repetitions = { full = 3, small = 3, demo = 3 }
-    [[group.run]]
-    algorithms = ["lrs", "lrs few-flips", "ds", "gw", "tq"]
-    augmentations = ["local"]
-    repetitions = { full = 1, small = 1, demo = 1 }
-"#;
+const EXPERIMENT: &str = experiment!(
+    "tiny",
+    "convert",
+    r#"["botijo", "A5", "B5"]"#,
+    r#"algorithms = ["sg", "ps"]
+        augmentations = ["tarjan", "local"]
+        repetitions = { full = 3, small = 3, demo = 3 }"#,
+    r#"algorithms = ["lrs", "lrs few-flips", "ds", "gw", "tq"]
+        augmentations = ["local"]
+        repetitions = { full = 1, small = 1, demo = 1 }"#,
+);
 /// Three meshes, four jobs three times and five once.
 const RUNS: usize = 3 * (4 * 3 + 5);
 
-const REDUCTION: &str = r#"
-    name = "least"
-    title = "Irreducible triangulations"
-    task = "irreducible"
-    seed = 3
-    [limits]
-    timeout_seconds = 60
-    memory_gigabytes = 4
-    [[group]]
-    name = "all"
-    meshes = ["ir-B9", "ir-C7"]
-    [[group.run]]
-    algorithms = ["rs", "schipper", "brute-force"]
-    orders = ["file", "random"]
-    repetitions = { full = 2, small = 2, demo = 2 }
-"#;
+const REDUCTION: &str = experiment!(
+    "least",
+    "irreducible",
+    r#"["ir-B9", "ir-C7"]"#,
+    r#"algorithms = ["rs", "schipper", "brute-force"]
+        orders = ["file", "random"]
+        repetitions = { full = 2, small = 2, demo = 2 }"#,
+);
 
 /// A folder of its own for each test, in which the tool runs.
 pub struct Workshop(TempDir);

@@ -6,24 +6,17 @@ use std::time::{Duration, Instant};
 
 use triquad_generators::testing::draws;
 
+use crate::experiment_text::experiment;
 use crate::experiments::{Workshop, repeatable_rows};
 
-const EXPERIMENT: &str = r#"
-    name = "short"
-    title = "Short runs"
-    task = "convert"
-    seed = 3
-    [limits]
-    timeout_seconds = 60
-    memory_gigabytes = 4
-    [[group]]
-    name = "all"
-    meshes = ["botijo"]
-    [[group.run]]
-    algorithms = ["sg", "ps", "tq"]
-    augmentations = ["tarjan", "local"]
-    repetitions = { full = 4, small = 4, demo = 4 }
-"#;
+const EXPERIMENT: &str = experiment!(
+    "short",
+    "convert",
+    r#"["botijo"]"#,
+    r#"algorithms = ["sg", "ps", "tq"]
+        augmentations = ["tarjan", "local"]
+        repetitions = { full = 4, small = 4, demo = 4 }"#,
+);
 const RUNS: usize = 3 * 2 * 4;
 
 /// Kills without anything said; `TRIQUAD_KILLS` is another number.

@@ -9,6 +9,7 @@ mod conveniences;
 mod defective_meshes;
 #[cfg(unix)]
 mod documents;
+mod experiment_text;
 mod experiments;
 #[cfg(unix)]
 mod kills;

@@ -186,7 +186,7 @@ fn two_columns_of_somebody_else_reach_the_tables() {
     std::fs::write(shop.path("two.csv"), "graph,time\nBotijo,0.5\nHappy Buddha,7\n").unwrap();
     let import = "import two.csv --algorithm mymatch --out out --map ";
     shop.succeed(&format!("{import}graph=mesh,time=total_seconds"));
-    assert!(text(&shop, "out/table_4_3.csv").contains("happy-buddha,mymatch,,,,,7.00000000,real,"));
+    assert!(text(&shop, "out/table_4_3.csv").contains("happy-buddha,mymatch,,,,,7.00000000,file,"));
     assert!(text(&shop, "out/index.html").contains("mymatch"));
     let refused = |mapping: &str| shop.refused(&format!("{import}{mapping}"));
     assert!(refused("graph=mesh,time=totalseconds").contains("nearest is \"total_seconds\""));

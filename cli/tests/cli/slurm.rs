@@ -12,32 +12,24 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
+use crate::experiment_text::experiment;
 use crate::repeatable::repeatable;
 use tempfile::TempDir;
 use triquad_lab::experiment::Results;
 
 const PARTS: usize = 3;
 
-const EXPERIMENT: &str = r#"
-    name = "tiny"
-    title = "A few runs of two meshes"
-    task = "convert"
-    seed = 3
-    [limits]
-    timeout_seconds = 60
-    memory_gigabytes = 4
-    [[group]]
-    name = "all"
-    meshes = ["botijo", "B5"]
-    [[group.run]]
-    algorithms = ["ps", "tq"]
-    augmentations = ["tarjan", "local"]
-    repetitions = { full = 3, small = 3, demo = 3 }
-    [[group.run]]
-    algorithms = ["lrs few-flips"]
-    augmentations = ["local"]
-    repetitions = { full = 1, small = 1, demo = 1 }
-"#;
+const EXPERIMENT: &str = experiment!(
+    "tiny",
+    "convert",
+    r#"["botijo", "B5"]"#,
+    r#"algorithms = ["ps", "tq"]
+        augmentations = ["tarjan", "local"]
+        repetitions = { full = 3, small = 3, demo = 3 }"#,
+    r#"algorithms = ["lrs few-flips"]
+        augmentations = ["local"]
+        repetitions = { full = 1, small = 1, demo = 1 }"#,
+);
 /// Two meshes, four jobs three times and one once.
 const RUNS: usize = 2 * (4 * 3 + 1);
 

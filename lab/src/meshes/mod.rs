@@ -5,11 +5,13 @@
 //! name, and a [`Cache`] makes each mesh once.
 
 mod cache;
+mod origin;
 pub mod paper;
 mod recipe;
 mod sealed;
 
 pub use cache::Cache;
+pub use origin::Origin;
 pub use recipe::{GenerateError, MeshKind, Recipe};
 pub use triquad_generators::box_mesh::{
     BoxShape, ImpossibleBoxError, ImpossiblePaperBoxError, PaperBox, Walls,

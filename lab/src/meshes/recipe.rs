@@ -15,7 +15,7 @@ use triquad_generators::{Surface, classic, organic};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MeshKind {
-    /// The scan itself, or a mesh of the user's.
+    /// A file.
     #[default]
     Real,
     /// Made to order with exact counts.
@@ -35,11 +35,6 @@ impl MeshKind {
             Self::Simplified => "simplified",
             Self::StandIn => "stand-in",
         }
-    }
-
-    /// Returns `†` for a stand-in, nothing for the others.
-    pub fn dagger(self) -> &'static str {
-        if self == Self::StandIn { "†" } else { "" }
     }
 }
 

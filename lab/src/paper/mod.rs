@@ -244,19 +244,23 @@ impl Paper {
         }
     }
 
-    /// Returns authors, title, year and place of each version.
+    /// Returns authors, title, year, venue and identifiers of each version, as printed or as arXiv
+    /// has them.
     pub fn citations(self) -> &'static [&'static str] {
         match self {
             Self::Comparison => &[
-                "T. Lemos, S. Ramaswami and M. Siqueira, An Experimental Comparison of Algorithms \
-                 for Converting Triangulations of Closed Surfaces into Quadrangulations, full \
-                 version, 2015, http://clam.rutgers.edu/~rsuneeta/hpc/research/imr15_long.pdf",
-                "The same authors and title, research note, 24th International Meshing Roundtable \
-                 (IMR24), Elsevier, 2015; its Table 1 is Table 4.3",
+                "Thiago Lemos, Suneeta Ramaswami and Marcelo Siqueira: An Experimental Comparison \
+                 of Algorithms for Converting Triangulations of Closed Surfaces into \
+                 Quadrangulations. Research note, 24th International Meshing Roundtable (IMR24), \
+                 Elsevier, 2015, ISSN 1877-7058; no DOI is printed. Its Table 1 is Table 4.3",
+                "The same authors and title: long version, 2015, \
+                 http://clam.rutgers.edu/~rsuneeta/hpc/research/imr15_long.pdf. Sections and \
+                 tables here are numbered as there",
             ],
             Self::Irreducible => {
-                &["S. Ramaswami and M. Siqueira, A fast algorithm for computing irreducible \
-                 triangulations of closed surfaces in E^d, CoRR arXiv:1409.6015, 2014"]
+                &["Suneeta Ramaswami and Marcelo Siqueira: A fast algorithm for computing \
+                 irreducible triangulations of closed surfaces in E^d. CoRR arXiv:1409.6015, 2014, \
+                 DOI 10.48550/arXiv.1409.6015"]
             }
         }
     }

@@ -35,6 +35,9 @@ const NOTHING: &str = "–";
 /// Columns that say what a row is about.
 const NAMES: [&str; 4] = ["mesh", "algorithm", "command", "program"];
 
+/// Most characters of a line.
+const LINE: usize = 100;
+
 /// The line after a table.
 const END: &str = "<!-- end -->";
 
@@ -44,6 +47,8 @@ struct DocumentTable {
     rows: Rows,
     /// Headings, and columns of the report's tables; `paper_` stands before the paper's.
     columns: &'static [(&'static str, &'static str)],
+    /// What was run, and the column of the number of runs whose mean the table has.
+    runs: &'static [(&'static str, &'static str)],
 }
 
 /// The rows of a table of documents.
@@ -68,6 +73,8 @@ const COUNTS_AND_TIMES: &[(&str, &str)] = &[
     ("`local`", "local_total_seconds"),
 ];
 
+const RUNS_OF_BOTH: &[(&str, &str)] = &[("`tarjan`", "n"), ("`local`", "local_n")];
+
 const SPEED: &[(&str, &str)] =
     &[("command", "command"), ("triangles", "triangles"), ("seconds", "local_total_seconds")];
 
@@ -76,21 +83,26 @@ const TABLES: &[DocumentTable] = &[
         name: "conversions",
         rows: Rows::These(&[
             ("botijo", "PS"),
-            ("eros", "SG"),
             ("eros", "LRS"),
-            ("happy-buddha", "LRS"),
             ("A2", "PS"),
             ("A2", "LRS"),
             ("B2", "PS"),
             ("B2", "LRS"),
         ]),
         columns: COUNTS_AND_TIMES,
+        runs: RUNS_OF_BOTH,
     },
-    DocumentTable { name: "4.3", rows: Rows::Of(&["table_4_3.csv"]), columns: COUNTS_AND_TIMES },
+    DocumentTable {
+        name: "4.3",
+        rows: Rows::Of(&["table_4_3.csv"]),
+        columns: COUNTS_AND_TIMES,
+        runs: RUNS_OF_BOTH,
+    },
     DocumentTable {
         name: "4.4",
         rows: Rows::Of(&["table_4_4_i.csv", "table_4_4_ii.csv"]),
         columns: COUNTS_AND_TIMES,
+        runs: RUNS_OF_BOTH,
     },
     DocumentTable {
         name: "6 to 11",
@@ -108,11 +120,13 @@ const TABLES: &[DocumentTable] = &[
             ("BF / RS: paper", "paper_brute_force_to_rs_seconds"),
             ("here", "brute_force_to_rs_seconds"),
         ],
+        runs: &[("RS", "rs_n"), ("S", "schipper_n"), ("BF", "brute_force_n")],
     },
     DocumentTable {
         name: "speed",
         rows: Rows::These(&[("happy-buddha", "TQ"), ("A1", "TQ"), ("A1", "PS")]),
         columns: SPEED,
+        runs: &[("", "local_n")],
     },
     DocumentTable {
         name: "speed of all",
@@ -127,6 +141,7 @@ const TABLES: &[DocumentTable] = &[
             ("A1", "GW"),
         ]),
         columns: SPEED,
+        runs: &[("", "local_n")],
     },
     DocumentTable {
         name: "memory",
@@ -145,6 +160,7 @@ const TABLES: &[DocumentTable] = &[
             ("triangles", "triangles"),
             ("bytes a triangle", "peak_memory_bytes_per_triangle"),
         ],
+        runs: &[("", "n")],
     },
     DocumentTable {
         name: "quality",
@@ -155,6 +171,7 @@ const TABLES: &[DocumentTable] = &[
             ("least", "scaled_jacobian_minimum"),
             ("edges flipped, %", "edge_flips_percent"),
         ],
+        runs: &[("", "n")],
     },
     DocumentTable {
         name: "side by side",
@@ -178,6 +195,7 @@ const TABLES: &[DocumentTable] = &[
             ("file to file, s", "process_seconds"),
             ("memory, bytes", "peak_memory_bytes"),
         ],
+        runs: &[("", "n")],
     },
 ];
 
@@ -233,21 +251,29 @@ fn verdicts(comparison: &Comparison) -> String {
 }
 
 impl DocumentTable {
-    /// Writes the table; `None` if the records have no number for it.
+    /// Writes the table, and the numbers of runs; `None` if the records have no number for it.
     fn markdown(&self, tables: &[ReportTable]) -> Option<String> {
         let headings: Vec<&str> = self.columns.iter().map(|column| column.0).collect();
-        let row = |(mesh, algorithm): (String, String)| -> Vec<String> {
-            let of_table = |table: &&ReportTable| self.rows.may_use(table);
-            let tables: Vec<&ReportTable> = tables.iter().filter(of_table).collect();
-            let cell = |&(_, column): &(&str, &str)| field(&tables, &mesh, &algorithm, column);
+        let keys = self.rows.keys(tables);
+        let of_table = |table: &&ReportTable| self.rows.may_use(table);
+        let tables: Vec<&ReportTable> = tables.iter().filter(of_table).collect();
+        let row = |(mesh, algorithm): &(String, String)| -> Vec<String> {
+            let cell = |&(_, column): &(&str, &str)| field(&tables, mesh, algorithm, column);
             self.columns.iter().map(cell).collect()
         };
-        let rows: Vec<Vec<String>> = self.rows.keys(tables).into_iter().map(row).collect();
+        let rows: Vec<Vec<String>> = keys.iter().map(row).collect();
         let is_number = |column: &&(&str, &str)| !NAMES.contains(&column.1);
         let numbers = self.columns.iter().filter(is_number).count();
         let has_one =
             |row: &Vec<String>| row.iter().filter(|cell| *cell == NOTHING).count() < numbers;
-        rows.iter().any(has_one).then(|| markdown(&headings, rows.into_iter()))
+        rows.iter().any(has_one).then(|| {
+            let runs = self.runs.iter().filter_map(|&(what, column)| {
+                let numbers = numbers_of_runs(&tables, &keys, column)?;
+                Some(if what.is_empty() { numbers } else { format!("{what} {numbers}") })
+            });
+            let runs = format!("Runs of each mean: {}.", runs.collect::<Vec<_>>().join("; "));
+            format!("{}\n{}", markdown(&headings, rows.into_iter()), filled_lines(&runs))
+        })
     }
 }
 
@@ -273,6 +299,58 @@ impl Rows {
             }
         }
     }
+}
+
+/// Returns the numbers of runs in a column with the algorithms that have them; `None` if none is
+/// known. A number alone stands for all rows.
+fn numbers_of_runs(
+    tables: &[&ReportTable],
+    keys: &[(String, String)],
+    column: &str,
+) -> Option<String> {
+    let mut known: Vec<(String, u64, u64)> = Vec::new();
+    for (mesh, algorithm) in keys {
+        let Ok(n) = field(tables, mesh, algorithm, column).replace(',', "").parse::<u64>() else {
+            continue;
+        };
+        match known.iter_mut().find(|(name, ..)| name == algorithm) {
+            _ if n == 0 => {}
+            Some((_, least, most)) => (*least, *most) = (n.min(*least), n.max(*most)),
+            None => known.push((algorithm.clone(), n, n)),
+        }
+    }
+    let range = |&(_, least, most): &(String, u64, u64)| match least == most {
+        true => least.to_string(),
+        false => format!("{least} to {most}"),
+    };
+    let mut ranges: Vec<String> = known.iter().map(range).collect();
+    ranges.sort_unstable();
+    ranges.dedup();
+    let of = |wanted: &String| {
+        let own = known.iter().filter(|&one| range(one) == *wanted).map(|one| one.0.as_str());
+        format!("{wanted} ({})", own.collect::<Vec<_>>().join(", "))
+    };
+    match &*ranges {
+        [] => None,
+        [one] => Some(one.clone()),
+        several => Some(several.iter().map(of).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+/// Breaks a text into lines of at most 100 characters.
+fn filled_lines(text: &str) -> String {
+    let (mut lines, mut length) = (String::new(), 0);
+    for word in text.split(' ') {
+        let width = word.chars().count();
+        let joint = match length {
+            0 => "",
+            _ if length + 1 + width > LINE => "\n",
+            _ => " ",
+        };
+        length = if joint == " " { length + 1 + width } else { width };
+        lines.extend([joint, word]);
+    }
+    lines + "\n"
 }
 
 fn key(table: &ReportTable, row: &Row) -> (String, String) {
@@ -340,6 +418,17 @@ mod tests {
     fn a_table_that_the_records_have_no_number_for_stays() {
         let document = "<!-- table: side by side -->\n\n| of another folder |\n\n<!-- end -->\n";
         assert_eq!(fill(document, &Results::default()).unwrap(), document);
+    }
+
+    #[test]
+    fn long_texts_are_broken_between_words() {
+        let text = "Runs of each mean: 10.";
+        assert_eq!(filled_lines(text), format!("{text}\n"));
+        let filled = filled_lines(&[text; 9].join(" "));
+        assert_eq!(filled.replace('\n', " ").trim_end(), [text; 9].join(" "));
+        let lengths: Vec<usize> = filled.lines().map(str::len).collect();
+        assert!(lengths.iter().all(|&length| length <= LINE), "{lengths:?}");
+        assert!(lengths.len() == 3, "{lengths:?}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Notes for reading a table or plot, worded once.
 
 use super::summary::Cell;
-use crate::meshes::MeshKind;
+use crate::meshes::Origin;
 use crate::meshes::paper::Scale;
 
 /// A remark on numbers.
@@ -31,8 +31,7 @@ impl Note {
         let any = |test: fn(&Cell) -> bool| cells.clone().any(test);
         let mut notes = Vec::new();
         for scale in [Scale::Small, Scale::Demo] {
-            // Files have their own size at any scale.
-            let is_made = |cell: &Cell| cell.mesh_kind != Some(MeshKind::Real);
+            let is_made = |cell: &Cell| !cell.origin.is_some_and(Origin::is_file);
             if cells.clone().any(|cell| cell.id.mesh.scale == scale && is_made(cell)) {
                 notes.push(Self::Scale(scale));
             }

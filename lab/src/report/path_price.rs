@@ -4,7 +4,9 @@
 //! of a run, gives the augmentation of that run.
 
 use triquad::augmentation::Augmentation;
+use triquad::pairing::Algorithm;
 
+use super::statistics::Statistics;
 use super::summary::{Cell, Summary};
 use crate::experiment::{Job, RunRecord};
 use crate::paper::Paper;
@@ -22,6 +24,14 @@ impl PathPrice {
         let timed = || summary.of_mesh(Paper::Comparison, mesh).filter(is_timed);
         let own = timed().filter(|cell| cell.id.job == rebuild(job)).find_map(price);
         own.or_else(|| timed().find_map(price)).map(Self)
+    }
+
+    /// Describes column (e) of an algorithm with `rebuild`: the runs of `tarjan`, their paths at
+    /// the price of `rebuild`.
+    pub fn total(summary: &Summary, mesh: &str, algorithm: Algorithm) -> Option<Statistics> {
+        let job = Job::published(algorithm);
+        let price = Self::of(summary, mesh, job)?;
+        summary.cell(Paper::Comparison, mesh, job)?.statistics(|run| price.total_seconds(run))
     }
 
     /// Returns column (d) of a run; its own seconds where it has no path.
@@ -51,7 +61,6 @@ fn price(cell: &Cell) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::experiment::{Measured, Results};
-    use triquad::pairing::Algorithm;
 
     fn run(augmentation: Augmentation, measured: Measured) -> RunRecord {
         let algorithm = Algorithm::PulliSegal;

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::statistics::Statistics;
 use crate::experiment::{Job, Measured, MeshId, Outcome, Results, RunId, RunRecord};
 use crate::meshes::paper::Scale;
-use crate::meshes::{self, MeshKind};
+use crate::meshes::{self, Origin};
 use crate::paper::Paper;
 
 /// All repetitions of one job on one mesh.
@@ -18,7 +18,7 @@ pub struct Cell {
     /// name, else that of its tables, else `data`.
     pub group: &'static str,
     /// Origin of the mesh; `None` where no run of the mesh has a row.
-    pub mesh_kind: Option<MeshKind>,
+    pub origin: Option<Origin>,
     /// Planned repetitions; 0 where no plan names the cell.
     pub repetitions_planned: u32,
     /// The rows, by repetition, whatever their outcome.
@@ -56,7 +56,7 @@ impl Summary {
             let of_mesh = groups.entry(place).or_insert_with_key(|(_, mesh)| paper.group_of(mesh));
             cell.group = paper.group_named(&cell.id.mesh.group).unwrap_or(of_mesh);
         }
-        set_kinds_and_sort(&mut cells);
+        set_origins_and_sort(&mut cells);
         Self { cells }
     }
 
@@ -139,7 +139,7 @@ impl Summary {
 impl Cell {
     fn new(id: &RunId) -> Self {
         let (id, runs) = (id.clone(), Vec::new());
-        Self { id, group: "", mesh_kind: None, repetitions_planned: 0, runs }
+        Self { id, group: "", origin: None, repetitions_planned: 0, runs }
     }
 
     /// Returns the name of its mesh.
@@ -149,7 +149,7 @@ impl Cell {
 
     /// Returns the name of its mesh, marked if it is a stand-in.
     pub fn marked_mesh(&self) -> String {
-        format!("{}{}", self.mesh(), self.mesh_kind.map_or("", MeshKind::dagger))
+        format!("{}{}", self.mesh(), self.origin.map_or("", Origin::dagger))
     }
 
     /// Returns the label of its job: `PS`, `LRS few-flips`, `PS local`, `RS random`.
@@ -224,7 +224,7 @@ impl Cell {
 
     /// Returns whether the mesh stands for one that was not at hand.
     pub fn is_stand_in(&self) -> bool {
-        self.mesh_kind == Some(MeshKind::StandIn)
+        self.origin == Some(Origin::StandIn)
     }
 
     /// Returns whether the mesh has the paper's size.
@@ -233,21 +233,21 @@ impl Cell {
     }
 }
 
-/// Takes kind and size of a mesh from the runs that have them, and sorts the cells.
-fn set_kinds_and_sort(cells: &mut [Cell]) {
+/// Takes origin and size of a mesh from the runs that have them, and sorts the cells.
+fn set_origins_and_sort(cells: &mut [Cell]) {
     let mesh = |MeshId { experiment, scale, name, .. }: &MeshId| {
         (experiment.clone(), *scale, name.clone())
     };
-    let mut known = HashMap::<_, (Option<MeshKind>, u64)>::new();
+    let mut known = HashMap::<_, (Option<Origin>, u64)>::new();
     for cell in cells.iter() {
-        let (kind, triangles) = known.entry(mesh(&cell.id.mesh)).or_default();
+        let (origin, triangles) = known.entry(mesh(&cell.id.mesh)).or_default();
         for run in &cell.runs {
-            kind.get_or_insert(run.mesh_kind);
+            origin.get_or_insert_with(|| Origin::of(run.mesh_kind, &run.mesh_sha256));
             *triangles = (*triangles).max(run.measured.triangles.unwrap_or(0));
         }
     }
     for cell in cells.iter_mut() {
-        cell.mesh_kind = known[&mesh(&cell.id.mesh)].0;
+        cell.origin = known[&mesh(&cell.id.mesh)].0;
     }
     cells.sort_by_cached_key(|cell| {
         let RunId { mesh: id, job } = &cell.id;

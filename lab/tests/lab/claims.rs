@@ -211,7 +211,7 @@ fn a_claim_about_every_mesh_is_refuted_by_one() {
     let (found, detail) = verdict(&verdicts, "lrs-genus-0");
     assert_eq!(found, Verdict::Differs);
     assert!(detail.starts_with("does not hold on eros. eros"), "{detail}");
-    assert!(detail.contains("eros (real) 6.000 ✗"), "{detail}");
+    assert!(detail.contains("eros (file) 6.000 ✗"), "{detail}");
     assert!(
         detail.contains("without: gargoyle (not run)") || detail.contains("missing"),
         "{detail}"
@@ -227,7 +227,7 @@ fn ratios_have_intervals_where_runs_were_repeated() {
     }
     let verdicts = judged(&results);
     let (_, detail) = verdict(&verdicts, "sg-pairing-faster");
-    let start = detail.find("eros (real) 64.08 [").expect(&detail) + "eros (real) 64.08 [".len();
+    let start = detail.find("eros (file) 64.08 [").expect(&detail) + "eros (file) 64.08 [".len();
     let interval: Vec<f64> = detail[start..]
         .split(']')
         .next()

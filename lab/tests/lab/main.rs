@@ -1,6 +1,7 @@
 //! Tests of the lab through its public items, in one program.
 
 mod claims;
+mod columns;
 mod damaged_files;
 mod documents;
 mod figures;

@@ -7,8 +7,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 use triquad::augmentation::Augmentation;
 use triquad_lab::experiment::results::DamagedRow;
 use triquad_lab::experiment::{Outcome, Results, RunRecord};
-use triquad_lab::meshes::MeshKind;
 use triquad_lab::meshes::paper::Scale;
+use triquad_lab::meshes::{MeshKind, Origin};
 use triquad_lab::paper::Table;
 use triquad_lab::pictures::{PictureRecord, Subject};
 use triquad_lab::report::defects::Defect;
@@ -172,6 +172,30 @@ fn whether_lrs_still_beats_ps_is_answered_from_the_records() {
     results.records.retain(|run| run.id.job.names().augmentation == Some("tarjan"));
     results.records.iter_mut().for_each(|run| run.parallel_jobs = 1);
     assert!(page_of(&results).contains("no mesh has PS and LRS under both augmentations"));
+}
+
+#[test]
+fn meshes_are_labelled_by_their_origin_and_every_label_is_defined() {
+    let known = include_str!("../../../experiments/origins.csv");
+    let mut results = crate::records::of_the_papers();
+    for run in &mut results.records {
+        let of_mesh = |line: &&str| line.split(',').nth(1) == Some(run.id.mesh.name.as_str());
+        let hash = known.lines().find(of_mesh).and_then(|line| line.split(',').next());
+        run.mesh_sha256 = hash.unwrap_or_default().into();
+        if run.id.mesh.name == "hand" {
+            run.mesh_kind = MeshKind::StandIn;
+        }
+    }
+    let page = page_of(&results);
+    let labels = ["socket <small>original", "botijo <small>derived", "eros <small>file"];
+    let others = ["A1 <small>generated", "A2 <small>simplified", "hand† <small>stand-in"];
+    for label in labels.into_iter().chain(others) {
+        assert!(page.contains(&format!("<th scope=\"row\">{label}</small>")), "{label}");
+    }
+    assert!(!page.contains("<small>real</small>"));
+    for origin in Origin::ALL {
+        assert!(page.contains(&format!("<dt>{}</dt><dd>mesh: ", origin.id())), "{origin:?}");
+    }
 }
 
 #[test]

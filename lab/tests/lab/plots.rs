@@ -1,6 +1,7 @@
 //! Plots: what is in the records is in them, marked for what it is, and the same again.
 
 use roxmltree::Document;
+use triquad::augmentation::Augmentation;
 use triquad_lab::experiment::{Outcome, Results, RunRecord};
 use triquad_lab::meshes::MeshKind;
 use triquad_lab::meshes::paper::Scale;
@@ -107,6 +108,38 @@ fn times_of_runs_in_company_are_not_divided() {
     assert!(alone.csv.contains("\ntarjan,"));
     let in_company = plot("lrs_against_ps", |run| run.parallel_jobs = 2).unwrap();
     assert!(!in_company.csv.contains("\ntarjan,") && in_company.csv.contains("\nin the paper,"));
+}
+
+/// Each run of PS takes 1 s and has 4 paths of 1 s with `rebuild`, each of LRS 1 s and 2 of 3 s.
+#[test]
+fn lrs_is_set_against_ps_with_each_augmentation() {
+    let mut results = crate::records::of_the_papers();
+    let duels = ["ps", "lrs"];
+    results.records.retain(|run| duels.contains(&run.id.job.algorithm()));
+    for run in &mut results.records {
+        run.measured.pairing_seconds = Some(1.0);
+        run.measured.unpaired_triangles = Some(if is_lrs(run) { 4 } else { 8 });
+    }
+    let rebuilt = |run: &RunRecord| {
+        let mut run = run.clone();
+        run.id.job = run.id.job.with_augmentation(Augmentation::Rebuild);
+        run.measured.augmenting_paths = Some(2);
+        run.measured.augmentation_seconds = Some(if is_lrs(&run) { 6.0 } else { 2.0 });
+        run
+    };
+    let rebuilt: Vec<RunRecord> = results.records.iter().map(rebuilt).collect();
+    results.records.extend(rebuilt);
+    let plot = plots::named(&Summary::new(&results), "lrs_against_ps").unwrap();
+    assert!(plot.csv.contains("\nrebuild,A1,generated,,1.4,A1\n"), "{}", plot.csv);
+    let names = ["rebuild", "tarjan", "in the paper"];
+    assert!(names.iter().all(|name| texts(&plot).contains(&(*name).to_owned())));
+    results.records.iter_mut().for_each(|run| run.parallel_jobs = 2);
+    let plot = plots::named(&Summary::new(&results), "lrs_against_ps").unwrap();
+    assert!(!plot.csv.contains("\nrebuild,"), "{}", plot.csv);
+}
+
+fn is_lrs(run: &RunRecord) -> bool {
+    run.id.job.algorithm() == "lrs"
 }
 
 #[test]

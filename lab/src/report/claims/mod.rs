@@ -7,7 +7,7 @@ mod predicate;
 use serde::Deserialize;
 
 pub use expression::{Expression, ExpressionError, Factor};
-pub use number::Number;
+pub use number::{AtPrice, Number};
 pub use predicate::{Direction, Finding, MeshNumber, Predicate};
 
 use crate::paper::{Paper, Table, TableKind};

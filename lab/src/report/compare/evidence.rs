@@ -2,9 +2,9 @@
 
 use super::bootstrap::{self, Draw, Sample};
 use crate::experiment::{Job, Measured, RunRecord};
-use crate::meshes::MeshKind;
+use crate::meshes::Origin;
 use crate::paper::Paper;
-use crate::report::claims::{Claim, ClaimKind, Expression, Factor, MeshNumber};
+use crate::report::claims::{AtPrice, Claim, ClaimKind, Expression, Factor, MeshNumber};
 use crate::report::path_price::PathPrice;
 use crate::report::summary::{Cell, Summary};
 use triquad::random::Random;
@@ -111,11 +111,10 @@ impl<'a> ClaimOnMesh<'a> {
         };
         let (algorithm, number) = (job.algorithm(), factor.number.name);
         let cell = self.cell(job).ok_or(NoNumberError::NotPlanned(algorithm))?;
-        let price = self.price(job);
-        let of = |run: &RunRecord| match (price, number) {
-            (Some(price), "augmentation_seconds") => price.augmentation_seconds(run),
-            (Some(price), "total_seconds") => price.total_seconds(run),
-            _ => (factor.number.of)(run),
+        let price = self.price(factor);
+        let of = |run: &RunRecord| match price {
+            Some((price, at_price)) => at_price(price, run),
+            None => (factor.number.of)(run),
         };
         let sample: Sample = cell
             .ok_runs()
@@ -134,12 +133,13 @@ impl<'a> ClaimOnMesh<'a> {
         }
     }
 
-    /// Returns the price of a path by `rebuild`, which ratios of times in the comparison paper are
-    /// judged by where it was timed.
-    fn price(&self, job: Job) -> Option<PathPrice> {
+    /// Returns the price of a path by `rebuild`, and the number at it: ratios of times in the
+    /// comparison paper are judged by it, where it was timed and augmentation is in the number.
+    fn price(&self, factor: &Factor) -> Option<(PathPrice, AtPrice)> {
         let Claim { kind, experiment, .. } = *self.claim;
         let is_priced = (kind, experiment) == (ClaimKind::Ratio, Paper::Comparison);
-        is_priced.then(|| PathPrice::of(self.summary, self.mesh, job))?
+        let at_price = factor.number.at_price.filter(|_| is_priced)?;
+        Some((PathPrice::of(self.summary, self.mesh, factor.job?)?, at_price))
     }
 
     fn cell(&self, job: Job) -> Option<&'a Cell> {
@@ -156,22 +156,18 @@ impl<'a> ClaimOnMesh<'a> {
 
     /// Returns whether times of augmentations are prices of paths by `rebuild`.
     fn is_priced(&self) -> bool {
-        let with_paths = |factor: &&Factor| {
-            ["augmentation_seconds", "total_seconds"].contains(&factor.number.name)
-        };
-        let priced = self.claim.value.factors.iter().filter(with_paths);
-        priced.filter_map(|factor| factor.job).any(|job| self.price(job).is_some())
+        self.claim.value.factors.iter().any(|factor| self.price(factor).is_some())
     }
 
-    /// Returns kind of mesh, extrapolation and augmentation, to stand beside the number.
+    /// Returns origin of the mesh, extrapolation and augmentation, to stand beside the number.
     fn remark(&self) -> Option<String> {
-        let kind = self.cells().next().and_then(|cell| cell.mesh_kind).map(MeshKind::id);
+        let origin = self.cells().next().and_then(|cell| cell.origin).map(Origin::id);
         let jobs = self.claim.value.factors.iter().filter_map(|factor| factor.job);
         let mut cells = jobs.filter_map(|job| self.cell(job));
         let extrapolated = cells.any(Cell::is_extrapolated) && self.claim.is_about_times();
         let how =
             if self.is_priced() { Some("rebuild") } else { extrapolated.then_some("extrapolated") };
-        let remarks = [kind, how];
+        let remarks = [origin, how];
         let remarks: Vec<&str> = remarks.into_iter().flatten().collect();
         (!remarks.is_empty()).then(|| remarks.join(", "))
     }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::experiment::Task;
+use crate::meshes::Origin;
 use crate::report::summary::Summary;
 
 /// A word and its meaning.
@@ -13,8 +14,12 @@ pub struct Definition {
 }
 
 /// Symbols of both papers.
-const SYMBOLS: [(&str, &str); 16] = [
-    ("n_v, n_e, n_f", "vertices, edges and triangles of a triangulation; n is n_f"),
+const SYMBOLS: [(&str, &str); 20] = [
+    ("n", "runs that ended well, whose mean is shown"),
+    (
+        "n_v, n_e, n_f",
+        "vertices, edges and triangles of a triangulation; in n^x and O(n), n is n_f",
+    ),
     ("g", "genus: handles of the surface, summed over its components"),
     ("k", "triangles that SG or PS leave unpaired, column (c)"),
     ("ℓ (comparison)", "triangles that LRS leaves unpaired, column (c)"),
@@ -29,6 +34,9 @@ const SYMBOLS: [(&str, &str); 16] = [
         "d·d a test",
         "product of the degrees of both ends: the cost of a test without data structure",
     ),
+    ("visited", "the same over a whole run; of augmentations, triangles that searches visit"),
+    ("path", "augmenting path; its length counts pairs of neighbouring triangles"),
+    ("flips", "edges of the quads that the triangulation does not have"),
     ("scaled Jacobian", "shape of a quad: 1 for a rectangle, 0 or less where it is not convex"),
     ("tarjan", "augmentation as published: a search over the whole mesh for each path"),
     ("rebuild", "the same paths, with the graph set up anew for each, as the printed times imply"),
@@ -54,8 +62,9 @@ const ALGORITHMS: [(&str, &str); 12] = [
 /// Returns the definitions; programs that are not ours after the algorithms.
 pub fn definitions(summary: &Summary) -> Vec<Definition> {
     let known = ALGORITHMS.iter().chain(&SYMBOLS);
-    let known = known
-        .map(|(word, meaning)| Definition { word: (*word).into(), meaning: (*meaning).into() });
+    let known = known.copied().chain(Origin::ALL.map(|origin| (origin.id(), origin.meaning())));
+    let known =
+        known.map(|(word, meaning)| Definition { word: word.into(), meaning: meaning.into() });
     known.chain(programs(summary)).collect()
 }
 

@@ -33,7 +33,14 @@ impl LrsAgainstPs<'_> {
 #[derive(Serialize)]
 struct DuelRow {
     mesh: String,
-    cells: Vec<String>,
+    cells: Vec<DuelCell>,
+}
+
+/// A mean with its number of runs, or a ratio.
+#[derive(Clone, Serialize)]
+struct DuelCell {
+    text: String,
+    n: Option<usize>,
 }
 
 /// Totals of PS and LRS.
@@ -90,13 +97,9 @@ fn duels(summary: &Summary) -> Vec<Duel<'_>> {
     duels.filter(|duel| duel.tarjan.is_some() || duel.local.is_some()).collect()
 }
 
-/// Returns the pair under `rebuild`: the runs of `tarjan`, their paths at the price of `rebuild`.
+/// Returns the pair under `rebuild`.
 fn rebuilt(summary: &Summary, mesh: &str) -> Option<Pair> {
-    let total = |algorithm| {
-        let job = Job::published(algorithm);
-        let price = PathPrice::of(summary, mesh, job)?;
-        summary.cell(Paper::Comparison, mesh, job)?.statistics(|run| price.total_seconds(run))
-    };
+    let total = |algorithm| PathPrice::total(summary, mesh, algorithm);
     Some((total(Algorithm::PulliSegal)?, total(Algorithm::Lrs(Expansion::Printed))?))
 }
 
@@ -175,18 +178,17 @@ fn lines(both: &[&Duel], summary: &Summary) -> Vec<String> {
 }
 
 fn row(duel: &Duel) -> DuelRow {
-    let cells =
-        [&duel.rebuild, &duel.tarjan, &duel.local].into_iter().flat_map(|pair| match pair {
-            None => ["–".to_owned(), "–".to_owned(), "–".to_owned()],
-            Some((ps, lrs)) => {
-                let (winner, fast, slow) =
-                    if lrs.mean < ps.mean { ("LRS", lrs, ps) } else { ("PS", ps, lrs) };
-                let unclear = if fast.maximum > slow.minimum { "~" } else { "" };
-                let ratio =
-                    if ps.mean > 0.0 { significant(lrs.mean / ps.mean) } else { "–".into() };
-                let ratio = format!("{ratio} {unclear}{winner} faster");
-                [significant(ps.mean), significant(lrs.mean), ratio]
-            }
-        });
+    let cells = [&duel.rebuild, &duel.tarjan, &duel.local].into_iter().flat_map(cells);
     DuelRow { mesh: duel.mesh.marked_mesh(), cells: cells.collect() }
+}
+
+/// Returns the means of PS and LRS, and their ratio with the faster one.
+fn cells(pair: &Option<Pair>) -> [DuelCell; 3] {
+    let text = |text| DuelCell { text, n: None };
+    let Some((ps, lrs)) = pair else { return ["–"; 3].map(|dash| text(dash.into())) };
+    let (winner, fast, slow) = if lrs.mean < ps.mean { ("LRS", lrs, ps) } else { ("PS", ps, lrs) };
+    let unclear = if fast.maximum > slow.minimum { "~" } else { "" };
+    let ratio = if ps.mean > 0.0 { significant(lrs.mean / ps.mean) } else { "–".into() };
+    let mean = |of: &Statistics| DuelCell { text: significant(of.mean), n: Some(of.n) };
+    [mean(ps), mean(lrs), text(format!("{ratio} {unclear}{winner}"))]
 }

@@ -3,12 +3,15 @@
 use serde::Serialize;
 
 use super::provenance::commands_id;
-use crate::meshes::MeshKind;
+use crate::meshes::Origin;
 use crate::report::notes::Note;
 use crate::report::number::significant;
 use crate::report::statistics::Statistics;
 use crate::report::summary::Summary;
 use crate::report::tables::{ReportTable, Row, TableCell, Value};
+
+/// Most columns of a table in letters of the usual size.
+const NARROW: usize = 12;
 
 /// A table.
 #[derive(Clone, Serialize)]
@@ -18,6 +21,8 @@ pub struct TableView {
     title: &'static str,
     file: &'static str,
     columns: Vec<String>,
+    /// True if it has so many columns that they must be narrow.
+    wide: bool,
     rows: Vec<RowView>,
     notes: Vec<String>,
     commands: Option<String>,
@@ -49,11 +54,12 @@ impl TableView {
         let is_comparable = !table.notes.iter().any(|note| matches!(note, Note::Scale(_)));
         let shown = table.columns.iter().filter(|column| column.is_shown);
         let headings = shown.map(|column| column.heading.clone());
+        let columns: Vec<String> = std::iter::once("mesh".to_owned()).chain(headings).collect();
         let before = std::iter::once(None).chain(table.rows.iter().map(|row| Some(&row.mesh)));
         let row = |(row, before): (&Row, Option<&String>)| RowView {
             first: before != Some(&row.mesh),
-            name: format!("{}{}", row.mesh, row.mesh_kind.map_or("", MeshKind::dagger)),
-            about: row.mesh_kind.map_or("", MeshKind::id),
+            name: format!("{}{}", row.mesh, row.origin.map_or("", Origin::dagger)),
+            about: row.origin.map_or("", Origin::id),
             cells: table
                 .columns
                 .iter()
@@ -67,7 +73,8 @@ impl TableView {
             name,
             title: table.title,
             file: table.file,
-            columns: std::iter::once("mesh".to_owned()).chain(headings).collect(),
+            wide: columns.len() > NARROW,
+            columns,
             rows: table.rows.iter().zip(before).map(row).collect(),
             notes: table.notes.iter().map(Note::sentence).chain(errata(table)).collect(),
             commands: match (table.group, table.paper) {

@@ -3,7 +3,7 @@
 use super::axis::{Axis, Spread};
 use crate::algorithms::Look;
 use crate::csv_text;
-use crate::meshes::MeshKind;
+use crate::meshes::Origin;
 use crate::paper::Table;
 use crate::report::notes::Note;
 use crate::report::number::significant;
@@ -78,7 +78,7 @@ pub struct Point {
     /// Name of the mesh.
     pub mesh: String,
     /// Origin of the mesh.
-    pub mesh_kind: Option<MeshKind>,
+    pub origin: Option<Origin>,
     /// Along the bottom.
     pub x: f64,
     /// Along the side; a row's number, from 0.
@@ -97,7 +97,7 @@ pub struct Bar {
     /// Name of the mesh.
     pub mesh: String,
     /// Origin of the mesh.
-    pub mesh_kind: Option<MeshKind>,
+    pub origin: Option<Origin>,
     /// The algorithm, as in tables.
     pub label: String,
     /// Seconds of the pairing, and of pairing and augmentation; none if no run ended well.
@@ -157,8 +157,7 @@ impl Chart {
     }
 
     fn point_row(&self, series: &Series, point: &Point) -> Vec<String> {
-        let kind =
-            if series.is_printed { "printed" } else { point.mesh_kind.map_or("", MeshKind::id) };
+        let kind = if series.is_printed { "printed" } else { point.origin.map_or("", Origin::id) };
         let mut row = vec![series.name.clone(), point.mesh.clone(), kind.into()];
         row.extend([yes(point.extrapolated), point.x.to_string()]);
         if self.y_spread == Spread::Rows {
@@ -196,7 +195,7 @@ fn bar_row(bar: &Bar) -> [String; 8] {
     let or_empty = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
     [
         bar.mesh.clone(),
-        bar.mesh_kind.map_or("", MeshKind::id).into(),
+        bar.origin.map_or("", Origin::id).into(),
         bar.label.clone(),
         or_empty(bar.parts.map(|parts| parts[0])),
         or_empty(bar.parts.map(|parts| parts[1])),

@@ -8,7 +8,7 @@ use super::axis::{Axis, Spread};
 use super::canvas::{Canvas, Drawn, GRID, INK, PAPER, colour};
 use super::chart::{Bar, Chart, Point, Series};
 use crate::algorithms::{BLUE, GREY, Look, Mark, ORANGE};
-use crate::meshes::MeshKind;
+use crate::meshes::Origin;
 use crate::report::power_law::PowerLaw;
 
 /// Units from side to side.
@@ -152,7 +152,7 @@ fn draw_bar<DB: DrawingBackend>(canvas: &Canvas<DB>, places: &Places<DB>, bar: &
         canvas.bar([(end, y - half), (x, y + half)], colour(paint))?;
         end = x.max(end);
     }
-    if bar.mesh_kind == Some(MeshKind::StandIn) {
+    if bar.origin == Some(Origin::StandIn) {
         for x in (origin.0..end).step_by(7 * canvas.scale as usize).skip(1) {
             canvas.line(vec![(x, origin.1 - half), (x, origin.1 + half)], PAPER, 10)?;
         }
@@ -184,7 +184,7 @@ fn draw_series<DB: DrawingBackend>(
         if let Some([Some(low), Some(high)]) = range {
             canvas.line(vec![low, high], paint, 14)?;
         }
-        canvas.mark((x, y), series.look, point.mesh_kind == Some(MeshKind::StandIn))?;
+        canvas.mark((x, y), series.look, point.origin == Some(Origin::StandIn))?;
         if point.extrapolated {
             canvas.text("*", (x + 7 * canvas.scale, y - 3 * canvas.scale), TEXT, HPos::Left)?;
         }

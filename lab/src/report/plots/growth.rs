@@ -134,7 +134,7 @@ fn points(cells: &[&Cell], time: Time, against_genus: bool) -> Vec<Point> {
         let seconds = cell.statistics(time)?;
         Some(Point {
             mesh: cell.mesh().into(),
-            mesh_kind: cell.mesh_kind,
+            origin: cell.origin,
             x: cell.count(x)? as f64,
             y: seconds.mean,
             range: (seconds.n > 1).then_some((seconds.minimum, seconds.maximum)),

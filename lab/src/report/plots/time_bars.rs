@@ -54,7 +54,7 @@ fn bar(cell: &Cell, printed: Option<&PairingRow>, row: usize) -> Bar {
     Bar {
         row,
         mesh: cell.mesh().into(),
-        mesh_kind: cell.mesh_kind,
+        origin: cell.origin,
         label: cell.label(),
         parts: pairing.zip(total).map(|(pairing, total)| [pairing, total]),
         text: total.map_or(cell.outcome_text(), |total| format!("{}{star}", brief(total))),

@@ -2,7 +2,7 @@
 
 use super::table::{Beside, Column, ReportTable, Row, TableCell, Value};
 use crate::experiment::{Measured, RunRecord};
-use crate::meshes::MeshKind;
+use crate::meshes::Origin;
 use crate::paper::{Paper, Table};
 use crate::report::notes::Note;
 use crate::report::number::quotient;
@@ -36,9 +36,9 @@ impl<'a, P> Line<'a, P> {
         Self { mesh: mesh.into(), of_mesh, cells: Vec::new(), paper: printed }
     }
 
-    /// Returns where the mesh comes from.
-    fn mesh_kind(&self) -> Option<MeshKind> {
-        self.of_mesh.first().and_then(|cell| cell.mesh_kind)
+    /// Returns the origin of the mesh.
+    fn origin(&self) -> Option<Origin> {
+        self.of_mesh.first().and_then(|cell| cell.origin)
     }
 
     /// Returns a count of the mesh from whichever of its cells has it.
@@ -107,11 +107,11 @@ pub fn outcomes<'c, P>(name: impl Into<String>, at: usize) -> ColumnOf<'c, P> {
 }
 
 /// Returns a column of the number of runs that ended well.
-pub fn ok_runs<'c, P>(at: usize) -> ColumnOf<'c, P> {
+pub fn ok_runs<'c, P>(name: impl Into<String>, at: usize) -> ColumnOf<'c, P> {
     let runs = move |line: &Line<P>| {
         Value::Count(line.cells[at].map_or(0, |cell| cell.ok_runs().count() as u64))
     };
-    column("n", runs).heading("runs")
+    column(name, runs)
 }
 
 /// Returns a column with `yes` where times of a cell are extrapolated.
@@ -120,11 +120,12 @@ pub fn extrapolated<'c, P>(name: impl Into<String>, at: usize) -> ColumnOf<'c, P
     of_cell(name, at, yes).hidden()
 }
 
-/// Returns the columns of kind and size of the mesh.
+/// Returns the columns of origin and size of the mesh. The page has triangles and genus, of which
+/// the number of vertices follows.
 pub fn mesh<'c, P>() -> Vec<ColumnOf<'c, P>> {
     vec![
         mesh_kind(),
-        size("vertices", |measured| measured.vertices),
+        size("vertices", |measured| measured.vertices).hidden(),
         size("triangles", |measured| measured.triangles),
         size("genus", |measured| measured.genus),
     ]
@@ -135,10 +136,10 @@ pub fn hidden_mesh<'c, P>() -> impl Iterator<Item = ColumnOf<'c, P>> {
     mesh().into_iter().map(ColumnOf::hidden)
 }
 
-/// Returns the column of the kind of the mesh.
+/// Returns the column of the origin of the mesh.
 pub fn mesh_kind<'c, P>() -> ColumnOf<'c, P> {
-    let kind = |line: &Line<P>| line.mesh_kind().map_or("", MeshKind::id).to_owned();
-    column("mesh_kind", move |line| Value::Text(kind(line))).hidden()
+    let origin = |line: &Line<P>| line.origin().map_or("", Origin::id).to_owned();
+    column("mesh_kind", move |line| Value::Text(origin(line))).hidden()
 }
 
 /// Returns a column of a count of the mesh.
@@ -215,7 +216,7 @@ pub fn table<P>(
 ) -> ReportTable {
     let row = |line: &Line<P>| Row {
         mesh: line.mesh.clone(),
-        mesh_kind: line.mesh_kind(),
+        origin: line.origin(),
         cells: columns.iter().map(|column| (column.cell)(line)).collect(),
         errata: String::new(),
     };

@@ -41,6 +41,7 @@ fn table<P: 'static>(
     columns.extend(columns::hidden_mesh());
     for (at, (name, letter)) in TRIO.into_iter().enumerate() {
         let heading = format!("{} runs", letter.to_uppercase());
+        columns.push(columns::ok_runs(format!("{name}_n"), at).hidden());
         columns.push(columns::outcomes(format!("{name}_outcomes"), at).heading(heading));
     }
     for (at, name) in programs(summary) {

@@ -68,7 +68,8 @@ fn augmentation(summary: &Summary) -> ReportTable {
         &[1],
     )));
     columns.push(columns::extrapolated("tarjan_extrapolated", 0));
-    columns.push(column("total_seconds_tarjan_to_local", gain).starred(&[0, 1]));
+    let gain = column("total_seconds_tarjan_to_local", gain).starred(&[0, 1]);
+    columns.push(gain.heading("(e) tarjan / local"));
     let title = "The augmentation as published beside the one that touches what it visits only";
     table("table_augmentation.csv", title, columns, &pairs.collect::<Vec<_>>())
 }
@@ -81,19 +82,26 @@ fn gain(line: &Line<()>) -> Value {
 }
 
 /// Returns the columns that both augmentations have.
-fn search_columns(prefix: &str, at: usize, star: &'static [usize]) -> [OwnColumn; 8] {
+fn search_columns(prefix: &str, at: usize, star: &'static [usize]) -> [OwnColumn; 9] {
     let name = |name: &str| format!("{prefix}_{name}");
+    let heading = |heading: &str| format!("{heading}, {prefix}");
     let length = |run: &RunRecord| run.measured.augmenting_path_length_mean;
     let seconds = |what, number| mean(name(what), at, Value::Seconds, number).starred(star);
     [
-        columns::outcomes(name("outcomes"), at),
-        mean_count(name("unpaired_triangles"), at, |measured| measured.unpaired_triangles),
-        mean_count(name("augmenting_paths"), at, |measured| measured.augmenting_paths),
-        mean(name("path_length_mean"), at, Value::Ratio, length),
-        mean_count(name("path_length_max"), at, |measured| measured.augmenting_path_length_max),
-        mean_count(name("triangles_visited"), at, |run| run.augmentation_triangles_visited),
-        seconds("augmentation_seconds", RunRecord::whole_augmentation_seconds),
-        seconds("total_seconds", RunRecord::whole_total_seconds),
+        columns::ok_runs(name("n"), at).hidden(),
+        columns::outcomes(name("outcomes"), at).heading(heading("runs")),
+        mean_count(name("unpaired_triangles"), at, |measured| measured.unpaired_triangles)
+            .heading(heading("(c)")),
+        // Half of the unpaired triangles.
+        mean_count(name("augmenting_paths"), at, |measured| measured.augmenting_paths).hidden(),
+        mean(name("path_length_mean"), at, Value::Ratio, length).heading(heading("mean path")),
+        mean_count(name("path_length_max"), at, |measured| measured.augmenting_path_length_max)
+            .heading(heading("longest path")),
+        mean_count(name("triangles_visited"), at, |run| run.augmentation_triangles_visited)
+            .heading(heading("visited")),
+        seconds("augmentation_seconds", RunRecord::whole_augmentation_seconds)
+            .heading(heading("(d) s")),
+        seconds("total_seconds", RunRecord::whole_total_seconds).heading(heading("(e) s")),
     ]
 }
 
@@ -117,7 +125,7 @@ fn quality(summary: &Summary) -> ReportTable {
         mean("scaled_jacobian_mean", 0, Value::Ratio, |run| run.measured.quality_mean),
         of_cell("scaled_jacobian_minimum", 0, least),
         of_cell("edge_flips_percent", 0, flipped_percent),
-        columns::ok_runs(0),
+        columns::ok_runs("n", 0),
         columns::outcomes("outcomes", 0),
     ];
     let columns = columns::mesh().into_iter().chain(columns);
@@ -134,17 +142,22 @@ fn irreducible(summary: &Summary) -> ReportTable {
         })
     };
     let columns = [
-        columns::ok_runs(0),
-        seconds("seconds", |time| time.mean),
-        seconds("seconds_median", |time| time.median),
+        columns::ok_runs("n", 0),
+        seconds("seconds", |time| time.mean).heading("t, s"),
+        seconds("seconds_median", |time| time.median).heading("t, median"),
         seconds("seconds_lower_quartile", |time| time.lower_quartile).hidden(),
         seconds("seconds_upper_quartile", |time| time.upper_quartile).hidden(),
-        mean_count("link_condition_tests", 0, |measured| measured.link_condition_tests),
-        mean_count("edges_tested_more_than_once", 0, |run| run.edges_tested_more_than_once),
-        mean_count("link_vertices_visited", 0, |measured| measured.link_vertices_visited),
-        mean_count("degree_products", 0, |measured| measured.degree_products),
-        mean_count("result_vertices", 0, |measured| measured.result_vertices),
-        mean_count("result_triangles", 0, |measured| measured.result_triangles),
+        mean_count("link_condition_tests", 0, |measured| measured.link_condition_tests)
+            .heading("ℓ"),
+        mean_count("edges_tested_more_than_once", 0, |run| run.edges_tested_more_than_once)
+            .heading("ε"),
+        mean_count("link_vertices_visited", 0, |measured| measured.link_vertices_visited)
+            .heading("visited"),
+        mean_count("degree_products", 0, |measured| measured.degree_products).heading("d·d"),
+        mean_count("result_vertices", 0, |measured| measured.result_vertices)
+            .heading("vertices left"),
+        mean_count("result_triangles", 0, |measured| measured.result_triangles)
+            .heading("triangles left"),
         columns::outcomes("outcomes", 0),
     ];
     let columns = columns::mesh().into_iter().chain(columns);
@@ -160,7 +173,7 @@ fn memory(summary: &Summary) -> ReportTable {
         quotient(peak(cell), triangles).map(Value::Ratio)
     };
     let columns = [
-        columns::ok_runs(0),
+        columns::ok_runs("n", 0),
         of_cell("peak_memory_bytes", 0, move |cell| peak(cell).map(Value::Bytes)),
         of_cell("peak_memory_bytes_per_triangle", 0, a_triangle),
         columns::outcomes("outcomes", 0),

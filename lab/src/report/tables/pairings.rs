@@ -119,14 +119,14 @@ pub fn spread_columns<P: 'static>() -> Vec<ColumnOf<'static, P>> {
     vec![
         columns::mean("pairing_seconds_without_shuffle", 0, Value::Seconds, unshuffled)
             .heading("(a) without shuffle, s"),
-        columns::ok_runs(0),
+        columns::ok_runs("n", 0),
         total("total_seconds_median", |total| total.median).heading("(e) median, s").starred(&[0]),
         total("total_seconds_lower_quartile", |total| total.lower_quartile).hidden(),
         total("total_seconds_upper_quartile", |total| total.upper_quartile).hidden(),
         unpaired("unpaired_triangles_least", |unpaired| unpaired.minimum).hidden(),
         unpaired("unpaired_triangles_greatest", |unpaired| unpaired.maximum).hidden(),
-        columns::mean_count("edge_flips", 0, |measured| measured.edge_flips),
-        of_cell("edge_flips_percent", 0, flipped_percent),
+        columns::mean_count("edge_flips", 0, |measured| measured.edge_flips).heading("flips"),
+        of_cell("edge_flips_percent", 0, flipped_percent).heading("flips, %"),
         columns::outcomes("outcomes", 0),
         columns::extrapolated("extrapolated", 0),
     ]

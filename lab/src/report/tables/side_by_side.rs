@@ -38,7 +38,7 @@ pub fn table(summary: &Summary) -> Option<ReportTable> {
         of_cell("peak_memory_bytes", 0, |cell| {
             cell.mean_count(|measured| measured.peak_memory_bytes).map(Value::Bytes)
         }),
-        columns::ok_runs(0),
+        columns::ok_runs("n", 0),
         columns::outcomes("outcomes", 0),
     ];
     let columns = columns::mesh().into_iter().chain(columns);

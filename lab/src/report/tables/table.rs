@@ -3,7 +3,7 @@
 
 use crate::csv_text;
 use crate::experiment::Job;
-use crate::meshes::MeshKind;
+use crate::meshes::Origin;
 use crate::paper::{Paper, Table};
 use crate::report::notes::Note;
 use crate::report::number::{grouped, quotient, significant};
@@ -57,7 +57,7 @@ pub struct Row {
     /// Name of the mesh.
     pub mesh: String,
     /// Origin of the mesh, if it was run.
-    pub mesh_kind: Option<MeshKind>,
+    pub origin: Option<Origin>,
     /// The cells, in the order of the columns.
     pub cells: Vec<TableCell>,
     /// The error in the paper's row, or empty.
