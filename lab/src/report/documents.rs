@@ -83,7 +83,9 @@ const TABLES: &[DocumentTable] = &[
         name: "conversions",
         rows: Rows::These(&[
             ("botijo", "PS"),
+            ("eros", "SG"),
             ("eros", "LRS"),
+            ("happy-buddha", "LRS"),
             ("A2", "PS"),
             ("A2", "LRS"),
             ("B2", "PS"),
