@@ -274,8 +274,15 @@ impl DocumentTable {
                 let numbers = numbers_of_runs(&tables, &keys, column)?;
                 Some(if what.is_empty() { numbers } else { format!("{what} {numbers}") })
             });
-            let runs = format!("Runs of each mean: {}.", runs.collect::<Vec<_>>().join("; "));
-            format!("{}\n{}", markdown(&headings, rows.into_iter()), filled_lines(&runs))
+            let runs = runs.collect::<Vec<_>>().join("; ");
+            let table = markdown(&headings, rows.into_iter());
+            match runs.is_empty() {
+                true => table,
+                false => {
+                    let runs = format!("Runs of each mean: {runs}.");
+                    format!("{table}\n{}", filled_lines(&runs))
+                }
+            }
         })
     }
 }
