@@ -24,7 +24,8 @@ use crate::triangulation::Triangulation;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Algorithm {
-    /// `best`: ours, the perfect pairing of least total cost, exact, with a proof.
+    /// `best`: ours, the perfect pairing of least total cost, exact, with a proof. Remacle et al.
+    /// (2012, Blossom-Quad) solve the same problem with another cost.
     Best,
     /// `tq`: ours, the Pulli-Segal heuristic that rescues every stranded triangle at once.
     EagerRescue,

@@ -13,7 +13,7 @@
 //!   +-------+---+ +    two cells from the floor of a cavity to the bottom
 //! ```
 //!
-//! A cavity that becomes a hole costs 2 vertices and 8 triangles: its tube grows by 4 vertices, and
+//! A cavity that becomes a hole adds 2 vertices and 8 triangles: its tube grows by 4 vertices, and
 //! the centres of its floor and of one cell of the bottom go.
 
 mod build;
