@@ -4,21 +4,29 @@
 use std::error::Error;
 use std::ops::ControlFlow;
 
+use triquad::triangulation::{HalfEdgeId, Surface as _};
 use triquad::{
     Augmentation, DualGraph, Matching, Mesh, Quadrangulation, Triangulation, check, make_maximum,
 };
 use triquad_generators::grids;
 
-/// Pairs each triangle, in file order, with its first unpaired neighbour.
-fn first_come(dual: &DualGraph) -> Matching {
-    let mut matching = Matching::empty(dual.len());
-    for triangle in dual.triangles() {
+/// Pairs each triangle, in file order, with its unpaired neighbour across the longest edge.
+fn first_come(triangulation: &Triangulation, mesh: &Mesh) -> Matching {
+    let squared_length = |side: HalfEdgeId| -> f64 {
+        let [a, b] = triangulation.ends(side).map(|v| mesh.positions()[v.index()]);
+        (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum()
+    };
+    let mate = |side: HalfEdgeId| triangulation.twin(side).triangle();
+    let mut matching = Matching::empty(triangulation.triangle_count());
+    for triangle in triangulation.triangles() {
         if matching.is_paired(triangle) {
             continue;
         }
-        let unpaired = dual.neighbours(triangle).find(|&mate| !matching.is_paired(mate));
-        if let Some(mate) = unpaired {
-            matching.pair(triangle, mate);
+        let sides = triangle.half_edges().into_iter();
+        let unpaired = sides.filter(|&side| !matching.is_paired(mate(side)));
+        let longest = unpaired.max_by(|&a, &b| squared_length(a).total_cmp(&squared_length(b)));
+        if let Some(side) = longest {
+            matching.pair(triangle, mate(side));
         }
     }
     matching
@@ -30,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let triangulation = Triangulation::build(&mesh)?;
     let dual = DualGraph::new(&triangulation);
 
-    let initial = first_come(&dual);
+    let initial = first_come(&triangulation, &mesh);
     println!("{} of {} triangles are left unpaired", initial.unpaired_count(), dual.len());
     let on_path = &mut || ControlFlow::Continue(());
     let (matching, paths) = make_maximum(&dual, initial, Augmentation::Local, on_path);

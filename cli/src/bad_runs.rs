@@ -10,17 +10,22 @@ use crate::stdio;
 /// Names of bad runs that are printed at most.
 const MOST_NAMED: usize = 20;
 
-/// Names the runs that did not end well.
+/// Names the runs that did not end well, but those that were named already.
 ///
 /// # Errors
 /// Exit code 1 if there are any.
-pub fn refuse(out: &Path, results: &Results) -> Result<(), Failure> {
+pub fn refuse(
+    out: &Path,
+    results: &Results,
+    is_named: impl Fn(&RunRecord) -> bool,
+) -> Result<(), Failure> {
     let bad: Vec<&RunRecord> = results.records.iter().filter(|record| record.is_bad()).collect();
     if bad.is_empty() {
         return Ok(());
     }
-    bad.iter().take(MOST_NAMED).for_each(|record| stdio::complain(&described(record)));
-    let more = match bad.len().saturating_sub(MOST_NAMED) {
+    let unnamed: Vec<_> = bad.iter().filter(|record| !is_named(record)).collect();
+    unnamed.iter().take(MOST_NAMED).for_each(|record| stdio::complain(&described(record)));
+    let more = match unnamed.len().saturating_sub(MOST_NAMED) {
         0 => String::new(),
         more => format!(", {more} of them not named here"),
     };

@@ -174,7 +174,13 @@ fn read_paired(
     surface: &Built,
 ) -> Result<Mesh, Failure> {
     if let Built::Open(_, survey) = surface {
-        return Err(input::refusal(&arguments.against, survey, None, None));
+        return Err(input::refusal(
+            &arguments.against,
+            Some(given),
+            survey,
+            arguments.repairs,
+            None,
+        ));
     }
     let paired = input::read_triangulation(path, arguments.repairs)?;
     check_retriangulation(&paired, given)
@@ -208,7 +214,7 @@ fn failure(arguments: &Arguments, surface: &Built, quads: &Mesh, mismatch: &Chec
             if !arguments.open =>
         {
             let remedy = Some("--open allows it");
-            return input::refusal(&arguments.against, survey, remedy, None);
+            return input::refusal(&arguments.against, None, survey, arguments.repairs, remedy);
         }
         (CheckError::NotAQuad(face), _) if is_triangle(*face) => {
             "; --open allows triangles that are left over"

@@ -51,7 +51,7 @@ impl<'a> Table<'a> {
             sharp.unwrap_or("-".into()),
             report.degree_two_vertices.to_string(),
             cost.map_or("-".into(), |cost| cost.to_string()),
-            format!("{:.3}", report.total_seconds()),
+            seconds(report.total_seconds()),
         ]);
     }
 
@@ -81,6 +81,11 @@ impl<'a> Table<'a> {
         let matching = check_mixed(quads, triangles).ok()?.matching;
         Some(objective.cost(&DualGraph::new(surface), &matching))
     }
+}
+
+/// Writes seconds; short ones with more digits, so that they are not 0.
+fn seconds(seconds: f64) -> String {
+    if seconds < 0.01 { format!("{seconds:.6}") } else { format!("{seconds:.3}") }
 }
 
 impl fmt::Display for Table<'_> {

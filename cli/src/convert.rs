@@ -36,10 +36,7 @@ pub struct Arguments {
     input: PathBuf,
     #[arg(short, long, value_name = "OUT", help = may_write("Where the quads go"))]
     output: Option<PathBuf>,
-    /// Initial pairing: best (best-shaped quads, provably) or tq (for speed, without regard to
-    /// shape). Of the literature: sg (simple greedy), ps (Pulli-Segal), ds (Diks-Stanczyk), gw
-    /// (Gawrychowski-Wasylkiewicz), lrs (contraction and expansion; flips edges)
-    #[arg(long, default_value = "best", value_name = "NAME")]
+    #[arg(long, default_value = "best", value_name = "NAME", help = algorithms())]
     #[arg(value_parser = one_of(Algorithm::ALL, Algorithm::id))]
     algorithm: Algorithm,
     /// Expansion of lrs: printed (the default, as published) or few-flips (ours: flips an edge only
@@ -57,8 +54,7 @@ pub struct Arguments {
     #[arg(long, default_value = "local", value_name = "NAME")]
     #[arg(value_parser = one_of(Augmentation::ALL, Augmentation::id))]
     augmentation: Augmentation,
-    /// Seed of the random choices of sg and ps (the others make none); the same seed gives the same
-    /// bytes
+    /// Seed of the random choices, such as those of sg and ps; the same seed gives the same bytes
     #[arg(long, default_value_t = 0, value_name = "N")]
     seed: u64,
     /// Write counts and times as JSON to FILE, '-' for standard output
@@ -73,9 +69,7 @@ pub struct Arguments {
     write_triangulation: Option<PathBuf>,
     #[command(flatten)]
     repairs: Repairs,
-    /// Accept surfaces with boundary and one-sided ones. The fewest triangles are left over,
-    /// provably, and written as triangles. For best, tq, ps and sg
-    #[arg(long)]
+    #[arg(long, help = open_surfaces())]
     open: bool,
     #[command(flatten)]
     aims: AimOptions,
@@ -93,6 +87,22 @@ pub struct Arguments {
     compare: bool,
     #[command(flatten)]
     several: Several,
+}
+
+/// Help of `--algorithm`.
+fn algorithms() -> String {
+    let each = Algorithm::ALL.map(|one| format!("{} ({})", one.id(), one.description()));
+    format!("Initial pairing: {}", each.join(", "))
+}
+
+/// Help of `--open`.
+fn open_surfaces() -> String {
+    let each = Algorithm::ALL.into_iter().filter(|algorithm| algorithm.works_on_open());
+    format!(
+        "Accept surfaces with boundary and one-sided ones. The fewest triangles are left over, \
+         provably, and written as triangles. For {}",
+        each.map(Algorithm::id).collect::<Vec<_>>().join(", ")
+    )
 }
 
 impl Arguments {
@@ -176,8 +186,7 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     let reading = arguments.repairs.reading;
     let (mesh, read_seconds) = clock.time(|| input::read(&arguments.input, reading));
     let mut mesh = mesh?;
-    input::triangulate(&arguments.input, &mut mesh, arguments.repairs)?;
-    let unknown_lines = mesh.unknown_lines().map(String::from);
+    input::repair(&arguments.input, &mut mesh, arguments.repairs)?;
     if arguments.compare {
         return compare(arguments, &mesh, &aims, status);
     }
@@ -205,7 +214,7 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
             return targets.finish_without_mesh(&stats, &[], &report.to_string());
         }
         Err(error) => {
-            return Err(conversion_failure(arguments, &aims, &error, unknown_lines.as_deref()));
+            return Err(conversion_failure(arguments, &aims, &error, None));
         }
     };
     status.say("writing the quads");
@@ -253,7 +262,7 @@ fn compare(
             Ok(converted) => table.add(converted),
             Err(ConvertError::NeedsClosed(_)) => table.skip(named),
             Err(error) => {
-                return Err(conversion_failure(arguments, aims, &error, mesh.unknown_lines()));
+                return Err(conversion_failure(arguments, aims, &error, Some(mesh)));
             }
         }
     }
@@ -261,11 +270,12 @@ fn compare(
     stdio::say(&table.to_string())
 }
 
+/// Words a failure. The conversion has taken `mesh`, if it is none; then the file is read again.
 fn conversion_failure(
     arguments: &Arguments,
     aims: &ReadAims,
     error: &ConvertError,
-    unknown_lines: Option<&str>,
+    mesh: Option<&Mesh>,
 ) -> Failure {
     let input = &arguments.input;
     if let Some(failure) = aims.failure(input, error) {
@@ -275,11 +285,20 @@ fn conversion_failure(
         ConvertError::Refused(survey) => {
             let opens = !arguments.open && survey.is_open_surface(arguments.repairs.orient);
             let remedy = opens.then_some("--open converts it and leaves the fewest triangles");
-            input::refusal(input, survey, remedy, unknown_lines)
+            let again = if mesh.is_none() { read_again(arguments) } else { None };
+            input::refusal(input, mesh.or(again.as_ref()), survey, arguments.repairs, remedy)
         }
         ConvertError::NeedsClosed(_) | ConvertError::NeedsBest { .. } => {
             Failure::bad(format!("{}: {error}", input.display()))
         }
         _ => Failure::no(format!("{}: {error}", input.display())),
     }
+}
+
+/// Reads the input a second time, if it is a file.
+fn read_again(arguments: &Arguments) -> Option<Mesh> {
+    let Arguments { input, repairs, .. } = arguments;
+    let mut mesh = (input.as_os_str() != "-").then(|| input::read(input, repairs.reading))?.ok()?;
+    input::repair(input, &mut mesh, *repairs).ok()?;
+    Some(mesh)
 }

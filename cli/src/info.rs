@@ -8,21 +8,22 @@ use triquad::{Law, Mesh, Survey, Triangulation, Violation};
 
 use crate::failure::Failure;
 use crate::formats::reads;
-use crate::input::Reading;
+use crate::input::Repairs;
 use crate::progress::StatusLine;
+use crate::remedies::Refused;
 use crate::{input, stdio};
 
 /// Print counts, genus and components of a mesh, and every law that it breaks
 ///
-/// Exit code 2 if the mesh is not a triangulation of closed surfaces; all counts are printed
-/// anyway.
+/// Exit code 2 if convert refuses the mesh without further options; all counts are printed anyway.
+/// The options that help are named.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  triquad info bunny.obj\n  triquad info scan.stl --json")]
 pub struct Arguments {
     #[arg(value_name = "IN", help = reads("The mesh"))]
     input: PathBuf,
     #[command(flatten)]
-    reading: Reading,
+    repairs: Repairs,
 }
 
 /// Everything that is printed of a mesh.
@@ -45,9 +46,10 @@ struct Info {
     closed: bool,
     /// Known where the mesh is not closed.
     closed_by_welding: Option<bool>,
-    /// True if `convert --open` takes the mesh and `convert` alone does not.
-    #[serde(skip)]
-    is_open_surface: bool,
+    /// The least distance for `--weld` that closes the mesh.
+    welding_distance: Option<f64>,
+    /// Options with which `convert` takes the mesh, if there are any.
+    convert_options: Option<String>,
     violations: Vec<Broken>,
     left_out: Vec<String>,
 }
@@ -58,7 +60,7 @@ struct Broken {
     law: Law,
     element: String,
     count: usize,
-    remedy: &'static str,
+    remedy: String,
     #[serde(skip)]
     message: String,
 }
@@ -66,9 +68,14 @@ struct Broken {
 /// Reads the mesh and prints its counts and the laws that it breaks.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let status = StatusLine::new("reading the mesh");
-    let mesh = input::read(&arguments.input, arguments.reading)?;
+    let Arguments { input, repairs } = arguments;
+    let mut mesh = input::read(input, repairs.reading)?;
     status.say("examining the mesh");
-    let info = Info::new(arguments.input.display().to_string(), &mesh);
+    input::repair(input, &mut mesh, *repairs)?;
+    if repairs.orient {
+        Survey::new(&mesh).orient(&mut mesh);
+    }
+    let info = Info::new(input.display().to_string(), &mesh, *repairs);
     drop(status);
     let text = if stdio::voice().json {
         serde_json::to_string_pretty(&info).map_err(|error| Failure::bad(error.to_string()))?
@@ -81,9 +88,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         1 => "a law".into(),
         laws => format!("{laws} laws"),
     };
-    let way = match info.is_open_surface {
-        true => "it can be converted with 'triquad convert --open' only",
-        false => "it cannot be converted as it is",
+    let way = match &info.convert_options {
+        Some(options) => format!("it can be converted with 'triquad convert {options}'"),
+        None => "it cannot be converted as it is".into(),
     };
     Err(Failure::bad(format!("{}: breaks {laws}, {way}", info.input)))
 }
@@ -91,19 +98,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 const SCHEMA: &str = "triquad-info-1";
 
 impl Info {
-    fn new(input: String, mesh: &Mesh) -> Self {
+    fn new(input: String, mesh: &Mesh, repairs: Repairs) -> Self {
         let mut info = match Triangulation::build(mesh) {
             Ok(triangulation) => Self::from_triangulation(input, &triangulation),
-            Err(survey) => Self::from_survey(input, &survey),
+            Err(survey) => Self::from_survey(input, &survey, &Refused::new(mesh, repairs)),
         };
         info.quads = mesh.faces().iter().filter(|face| face.len() == 4).count();
         info.left_out = mesh.left_out().to_vec();
-        info.closed_by_welding = (!info.closed).then(|| is_closed_by_welding(mesh));
-        // A surface of larger faces breaks no law of surfaces.
-        let is_surface = info.violations.iter().all(|broken| broken.law == Law::Triangle);
-        if is_surface && mesh.faces().iter().all(|face| face.len() >= 3) {
-            info.violations.clear();
-        }
         info
     }
 
@@ -125,13 +126,16 @@ impl Info {
             orientable: true,
             closed: true,
             closed_by_welding: None,
-            is_open_surface: false,
+            welding_distance: None,
+            convert_options: None,
             violations: Vec::new(),
             left_out: Vec::new(),
         }
     }
 
-    fn from_survey(input: String, survey: &Survey) -> Self {
+    fn from_survey(input: String, survey: &Survey, refused: &Refused) -> Self {
+        let welding_distance = refused.welding_distance().filter(|_| !survey.closed);
+        let broken = |violation| Broken::new(violation, refused);
         Self {
             schema: SCHEMA,
             input,
@@ -148,27 +152,22 @@ impl Info {
             boundary_loops: survey.boundary_loops,
             orientable: survey.orientable,
             closed: survey.closed,
-            closed_by_welding: None,
-            is_open_surface: survey.is_open_surface(false),
-            violations: survey.violations.iter().map(Broken::from).collect(),
+            closed_by_welding: (!survey.closed).then_some(welding_distance.is_some()),
+            welding_distance,
+            convert_options: refused.options(survey),
+            violations: survey.violations.iter().map(broken).collect(),
             left_out: Vec::new(),
         }
     }
 }
 
-/// Returns whether the mesh is closed once vertices at equal coordinates are one.
-fn is_closed_by_welding(mesh: &Mesh) -> bool {
-    let mut welded = Mesh::new(mesh.positions().to_vec(), mesh.faces().clone());
-    welded.weld(0.0).merged_vertices > 0 && Survey::new(&welded).closed
-}
-
-impl From<&Violation> for Broken {
-    fn from(violation: &Violation) -> Self {
+impl Broken {
+    fn new(violation: &Violation, refused: &Refused) -> Self {
         Self {
             law: violation.law,
             element: violation.element.to_string(),
             count: violation.count,
-            remedy: violation.law.remedy(),
+            remedy: refused.remedy(violation),
             message: violation.to_string(),
         }
     }
@@ -179,9 +178,10 @@ fn describe(info: &Info) -> String {
     let genus = info.genus.map(|genus| genus.to_string());
     let yes_no = |yes| String::from(if yes { "yes" } else { "no" });
     let cross_caps = info.non_orientable_genus.map(|genus| genus.to_string());
-    let closed = match info.closed_by_welding {
-        Some(true) => "no, but it is with --weld: vertices are at equal coordinates".into(),
-        _ => yes_no(info.closed),
+    let closed = match info.welding_distance {
+        Some(0.0) => "no, but it is with --weld: vertices are at equal coordinates".into(),
+        Some(distance) => format!("no, but it is with --weld {distance:e}"),
+        None => yes_no(info.closed),
     };
     let rows = [
         ("vertices", info.vertices.to_string()),

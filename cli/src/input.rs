@@ -7,7 +7,7 @@ use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
 
 use crate::failure::{Facts, Failure};
-use crate::stdio;
+use crate::{remedies, stdio};
 
 /// Options of reading a mesh.
 #[derive(clap::Args, Clone, Copy, Default)]
@@ -23,8 +23,11 @@ pub struct Reading {
 }
 
 /// Options that turn a mesh into a triangulation.
-#[derive(clap::Args, Clone, Copy)]
+#[derive(clap::Args, Clone, Copy, Default)]
 pub struct Repairs {
+    /// Drop faces that repeat a corner, and triangles that repeat an earlier one
+    #[arg(long)]
+    pub clean: bool,
     /// Flip faces until neighbours agree on orientation
     #[arg(long)]
     pub orient: bool,
@@ -59,12 +62,11 @@ pub fn read(path: &Path, reading: Reading) -> Result<Mesh, Failure> {
     let reader = reading.max_expanded.map_or(Reader::new(), |max| Reader::new().max_expanded(max));
     let mut mesh = reader.read(path).map_err(|error| mesh_failure(path, &error))?;
     if let Some(distance) = reading.weld {
-        let had_faces = !mesh.faces().is_empty();
-        mesh.weld(distance);
-        if had_faces && mesh.faces().is_empty() {
-            let problem = format!("vertices at most {distance} apart made one leave no face");
-            let remedy = "give --weld a smaller distance";
-            return Err(Failure::bad(format!("{}: {problem}; {remedy}", path.display())));
+        let dropped = mesh.weld(distance).dropped_faces;
+        if dropped > 0 && mesh.faces().is_empty() {
+            let path = path.display();
+            let problem = format!("--weld {distance} leaves no face");
+            return Err(Failure::bad(format!("{path}: {problem}; give a smaller distance")));
         }
     }
     Ok(mesh)
@@ -108,17 +110,17 @@ pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<Mesh, Failure
 
 /// Builds the triangulation of a mesh read from `path`, after its repairs.
 pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Failure> {
-    triangulate(path, mesh, repairs)?;
+    repair(path, mesh, repairs)?;
     let triangulation = build_oriented(mesh, repairs);
     triangulation.map_err(|survey| {
         let opens = survey.is_open_surface(repairs.orient);
         let remedy = opens.then_some("only 'convert --open' and check take it as it is");
-        refusal(path, &survey, remedy, mesh.unknown_lines())
+        refusal(path, Some(mesh), &survey, repairs, remedy)
     })
 }
 
 /// Builds the triangulation, after faces are turned if requested.
-fn build_oriented(mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Box<Survey>> {
+pub fn build_oriented(mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Box<Survey>> {
     if repairs.orient { Triangulation::build_oriented(mesh) } else { Triangulation::build(mesh) }
 }
 
@@ -132,24 +134,27 @@ pub enum Built {
 /// Reads a mesh that must be a triangulation of surfaces, closed or not, after its repairs.
 pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Failure> {
     let mut mesh = read(path, repairs.reading)?;
-    triangulate(path, &mut mesh, repairs)?;
+    repair(path, &mut mesh, repairs)?;
     let survey = match build_oriented(&mut mesh, repairs) {
         Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
         Err(survey) => survey,
     };
     if !survey.is_open_surface(repairs.orient) {
-        return Err(refusal(path, &survey, None, mesh.unknown_lines()));
+        return Err(refusal(path, Some(&mesh), &survey, repairs, None));
     }
     if repairs.orient {
         survey.orient(&mut mesh);
     }
     let open = OpenTriangulation::build(&mesh);
-    let open = open.map_err(|survey| refusal(path, &survey, None, mesh.unknown_lines()))?;
+    let open = open.map_err(|survey| refusal(path, Some(&mesh), &survey, repairs, None))?;
     Ok((mesh, Built::Open(open, survey)))
 }
 
-/// Cuts polygons into triangles if requested.
-pub fn triangulate(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<(), Failure> {
+/// Drops faces and cuts polygons into triangles, as requested.
+pub fn repair(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<(), Failure> {
+    if repairs.clean {
+        mesh.clean();
+    }
     if !repairs.triangulate {
         return Ok(());
     }
@@ -163,6 +168,7 @@ pub fn triangulate(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<(),
 pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
     let remedy = error.remedy().to_owned();
     let problem = match error {
+        MeshError::File { error, .. } => return mesh_failure(path, error),
         MeshError::Io(error) => system_problem(error),
         error => error.to_string(),
     };
@@ -178,12 +184,14 @@ pub fn system_problem(error: &std::io::Error) -> String {
 }
 
 /// Makes the failure of a mesh that is no triangulation: its first broken law, the number of
-/// others, a second remedy if there is one, and the lines of the file that could not be read.
+/// others, a second remedy if there is one, and the lines of the file that could not be read. The
+/// remedy is better if the mesh is at hand.
 pub fn refusal(
     path: &Path,
+    mesh: Option<&Mesh>,
     survey: &Survey,
+    repairs: Repairs,
     other_remedy: Option<&str>,
-    unknown_lines: Option<&str>,
 ) -> Failure {
     let first = survey.violations[0];
     let others = match survey.violations.len() - 1 {
@@ -197,10 +205,16 @@ pub fn refusal(
         _ => ", counted from 1",
     };
     let name = first.law.name();
-    let remedies = [Some(first.law.remedy()), other_remedy];
-    let remedy = remedies.into_iter().flatten().collect::<Vec<_>>().join("; ");
+    let mut remedy = match mesh {
+        Some(mesh) => remedies::Refused::new(mesh, repairs).remedy(&first),
+        None => remedies::general(first.law, repairs).into(),
+    };
+    if let Some(other) = other_remedy {
+        remedy = format!("{remedy}; {other}");
+    }
     let file = path.display().to_string();
-    let unknown = unknown_lines.map(|lines| format!("; not understood: {lines}"));
+    let unknown =
+        mesh.and_then(Mesh::unknown_lines).map(|lines| format!("; not understood: {lines}"));
     let unknown = unknown.unwrap_or_default();
     let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}{unknown}");
     let element = Some(first.element.to_string());

@@ -4,8 +4,9 @@
 //! `run`, `merge`, `import`, `report`, `compare`, `paper`, `draw`; `completions` and `man` share
 //! `manual`. The other files are shared by several verbs.
 //!
-//! Exit codes: 0 done; 1 a check failed; 2 bad input or usage. A failure is one line on standard
-//! error with the file, the place, the law and the remedy. So is a refusal of memory (Linux).
+//! Exit codes: 0 done; 1 a check failed; 2 bad input or usage; 130 interrupted. A failure is one
+//! line on standard error with the file, the place, the law and the remedy. So is a refusal of
+//! memory (Linux).
 
 mod aims;
 mod bad_runs;
@@ -24,6 +25,7 @@ mod huge_pages;
 mod import;
 mod info;
 mod input;
+mod interrupt;
 mod irreducible;
 mod machine;
 mod manual;
@@ -36,6 +38,7 @@ mod paper;
 mod plan;
 mod progress;
 mod reduction;
+mod remedies;
 mod report;
 mod results_folder;
 mod run;
@@ -52,7 +55,7 @@ use std::process::ExitCode;
 #[cfg(unix)]
 use std::sync::Arc;
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Parser, Subcommand};
 use failure::Failure;
 use formats::FORMATS;
@@ -69,7 +72,8 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 #[derive(Parser)]
 #[command(version, after_help = format!(
     "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is any of them on standard input, \
-     OBJ on standard output.\nExit codes: 0 done, 1 a check failed, 2 bad input or usage.\n\n\
+     OBJ on standard output.\nExit codes: 0 done, 1 a check failed, 2 bad input or usage, 130 \
+     interrupted.\n\n\
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {
@@ -137,16 +141,6 @@ fn outlive_full_files() {
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 
-/// Removes half-written files on an interrupt; finished files stay.
-fn clean_up_when_interrupted() {
-    let handler = || {
-        triquad::atomic_file::abandon_all();
-        std::process::exit(triquad_lab::experiment::process::INTERRUPTED);
-    };
-    // Fails only where no thread is to be had. Interrupts are ignored then, other signals are not.
-    let _ = ctrlc::set_handler(handler);
-}
-
 #[cfg(target_os = "linux")]
 fn main() -> ExitCode {
     stack::with_enough(tool)
@@ -166,7 +160,7 @@ fn tool() -> ExitCode {
     }
     #[cfg(unix)]
     outlive_full_files();
-    clean_up_when_interrupted();
+    interrupt::settle();
     let arguments = names::with_weld_values(std::env::args_os());
     let result = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => {
@@ -218,7 +212,27 @@ fn explain_usage(error: &clap::Error) -> ExitCode {
     // The arguments that say how to print were not parsed.
     let json = std::env::args_os().any(|argument| argument == "--json");
     stdio::settle(stdio::Voice { json, ..stdio::Voice::default() });
-    let failure = Failure::bad(format!("{}; 'triquad --help' explains", words.join(" ")));
+    let remedy = suggestion(error).unwrap_or("'triquad --help' explains".into());
+    let failure = Failure::bad(format!("{}; {remedy}", words.join(" ")));
     stdio::fail(&failure);
     ExitCode::from(failure.code)
+}
+
+/// Returns what was meant, if that can be guessed.
+fn suggestion(error: &clap::Error) -> Option<String> {
+    let first = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.as_str()),
+        Some(ContextValue::Strings(texts)) => texts.first().map(String::as_str),
+        _ => None,
+    };
+    // A file in the place of a verb: its name may be like that of a verb.
+    if let Some(file) = first(ContextKind::InvalidSubcommand)
+        && triquad::mesh::Format::from_path(file).is_ok()
+    {
+        return Some(format!("did you mean 'triquad convert {file}'?"));
+    }
+    let similar =
+        [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue];
+    let similar = similar.into_iter().find_map(first)?;
+    Some(format!("did you mean '{similar}'?"))
 }

@@ -38,5 +38,5 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         _ => format!("; {damaged} damaged rows are set aside in damaged.csv"),
     };
     stdio::say(&format!("{out}: {rows} runs of {} machines{aside}", merged.machines.len()))?;
-    bad_runs::refuse(&arguments.out, &merged)
+    bad_runs::refuse(&arguments.out, &merged, |_| false)
 }

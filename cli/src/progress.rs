@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::{Progress, Stage};
 
-use crate::stdio;
+use crate::{interrupt, stdio};
 
 /// One line with the current step and, during augmentation, the number of paths found.
 ///
@@ -32,6 +32,7 @@ impl StatusLine {
             }
             bar
         };
+        interrupt::clear_on_interrupt(&bar);
         let line = Self { bar, start: Instant::now(), paths_left: usize::MAX };
         line.say(message);
         line

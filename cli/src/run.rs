@@ -19,7 +19,7 @@ use triquad_lab::report::{self as lab_report, Extent};
 
 use crate::experiments::{Selection, duration};
 use crate::failure::Failure;
-use crate::{bad_runs, generate, input, own_program, report, results_folder, stdio};
+use crate::{bad_runs, generate, input, interrupt, own_program, report, results_folder, stdio};
 
 /// Run experiments: each run is a process, and a row of runs.csv
 ///
@@ -137,6 +137,8 @@ struct RunView<'a> {
     written: Mutex<Written>,
     /// Reasons for which runs were skipped.
     said: Mutex<HashSet<String>>,
+    /// Keys of runs that did not end well and were named at once.
+    named: Mutex<HashSet<String>>,
 }
 
 /// Times of the last writing of tables and page.
@@ -174,7 +176,10 @@ impl<'a> RunView<'a> {
         let now = Instant::now();
         let written = Mutex::new(Written { tables: now, page: now });
         let bar = ProgressBar::no_length();
-        Self { out, bar, pace: Mutex::default(), written, said: Mutex::default() }
+        interrupt::clear_on_interrupt(&bar);
+        interrupt::advise("finished runs are kept, and the same command goes on from here");
+        let (said, named) = (Mutex::default(), Mutex::default());
+        Self { out, bar, pace: Mutex::default(), written, said, named }
     }
 
     /// Prints a line on standard error, above the bar if there is one.
@@ -209,7 +214,8 @@ impl<'a> RunView<'a> {
             }
         }
         stdio::say(&if bad + skipped == 0 { line + ", all done" } else { line })?;
-        bad_runs::refuse(out, results)
+        let named = lock(&self.named);
+        bad_runs::refuse(out, results, |record| named.contains(&record.key))
     }
 }
 
@@ -253,6 +259,7 @@ impl RunObserver for RunView<'_> {
         // The reason why a program is not installed is printed once.
         if record.is_bad() || record.outcome == Outcome::Skipped && is_new() {
             self.say(&bad_runs::described(record));
+            lock(&self.named).insert(record.key.clone());
         }
     }
 

@@ -67,7 +67,7 @@ pub struct AlgorithmFacts {
 }
 
 /// Every algorithm, those of the papers first: the order of tables and plots.
-static ALGORITHMS: [AlgorithmFacts; 12] = [
+static ALGORITHMS: &[AlgorithmFacts] = &[
     row("sg", "SG", (ORANGE, Mark::Circle), true, (0.15e-6, 120.0), [0.125, 0.0, 0.0]),
     row("ps", "PS", (BLUE, Mark::Square), true, (0.15e-6, 120.0), [0.001, 0.0, 0.0]),
     row("ds", "DS", (GREEN, Mark::Up), true, (25e-6, 450.0), [0.0, 0.0, 0.0]),
@@ -131,7 +131,7 @@ impl AlgorithmFacts {
 
     /// Returns every row of ours, in the order of tables and plots.
     pub fn all() -> &'static [Self] {
-        &ALGORITHMS
+        ALGORITHMS
     }
 
     /// Returns the row's number, from 0; those that are not ours share the number after the last.

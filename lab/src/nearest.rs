@@ -8,6 +8,13 @@ pub(crate) fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) 
     known.into_iter().min_by_key(edits)
 }
 
+/// Returns the nearest of `known` if at most a third of the letters of `name` are slips.
+pub(crate) fn slip_of<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+    let nearest = nearest(name, known)?;
+    let edits = strsim::damerau_levenshtein(&name.to_lowercase(), &nearest.to_lowercase());
+    (3 * edits <= name.chars().count()).then_some(nearest)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -18,5 +25,7 @@ mod tests {
         assert_eq!(nearest("Meshes", known), Some("mesh"));
         assert_eq!(nearest("totalseconds", known), Some("total_seconds"));
         assert_eq!(nearest("x", []), None);
+        assert_eq!(slip_of("pairing_second", known), Some("pairing_seconds"));
+        assert_eq!(slip_of("mytorus", known), None);
     }
 }

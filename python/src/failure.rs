@@ -142,6 +142,7 @@ impl Failure {
 
     /// Makes the failure of a file that could not be read or written.
     pub fn of_file(error: MeshError, path: PathBuf) -> Self {
+        let error = error.without_path();
         let (law, place) = match &error {
             MeshError::Malformed { place, .. } => ("malformed-file", Some(*place)),
             MeshError::Truncated { place, .. } => ("truncated-file", Some(*place)),
@@ -207,8 +208,15 @@ pub fn sentence(violation: &Violation) -> String {
 
 /// Returns the remedy with options in the form of Python: `--orient` becomes `orient=True`.
 pub fn remedy(law: Law) -> String {
-    if law == Law::NoBoundary {
-        return "close the holes, or merge equal vertices if the gaps are seams".into();
+    // Of what the command has options for, and this package has not.
+    let without_option = match law {
+        Law::NoBoundary => Some("close the holes, or merge equal vertices if the gaps are seams"),
+        Law::DistinctCorners => Some("remove degenerate faces"),
+        Law::DistinctFaces => Some("remove duplicate faces"),
+        _ => None,
+    };
+    if let Some(remedy) = without_option {
+        return remedy.into();
     }
     let word = |word: &str| match word.strip_prefix("--") {
         Some(option) => format!("{}=True", option.replace('-', "_")),

@@ -12,7 +12,7 @@ use crate::clock::SystemClock;
 use crate::dual::{DualGraph, Matching, PerfectMatching};
 use crate::matching::weighted::SolveError;
 use crate::mesh::{Faces, Mesh};
-use crate::pairing::{Algorithm, InitialPairing, Proof, best, squared_length, velho};
+use crate::pairing::{Algorithm, InitialPairing, Proof, best};
 use crate::quadrangulation::quality::Quality;
 use crate::quadrangulation::{
     CheckError, CheckReport, Quadrangulation, SharpEdges, check_faces, check_retriangulated_faces,
@@ -30,6 +30,7 @@ impl Converter<'_> {
     ) -> Result<Converted, ConvertError> {
         let mut paired = self.pair(triangulation, Some(&mesh))?;
         paired.report.build_seconds = build_seconds;
+        paired.report.unreferenced_vertices = mesh.positions().len() - paired.report.vertices;
         let quadrangulation = Quadrangulation::new(&paired.triangulation, &paired.perfect);
         let sharp_edges = Some(SharpEdges::new(
             &*paired.triangulation,
@@ -99,10 +100,7 @@ impl Converter<'_> {
             Some(mesh) if self.algorithm == Algorithm::Best => {
                 self.pair_by_cost(triangulation, mesh, &mut report)?
             }
-            Some(mesh) if self.algorithm == Algorithm::Velho => {
-                self.pair_by_length(triangulation, mesh, &mut report)
-            }
-            _ => self.pair_by_name(triangulation, &mut report),
+            _ => self.pair_by_name(triangulation, mesh, &mut report),
         };
         let InitialPairing { triangulation, dual, matching, edge_flips, proof } = initial;
         report.edge_flips = edge_flips;
@@ -125,6 +123,7 @@ impl Converter<'_> {
     fn pair_by_name<'t>(
         &mut self,
         triangulation: &'t Triangulation,
+        mesh: Option<&Mesh>,
         report: &mut Report,
     ) -> InitialPairing<'t> {
         let mut random = Random::stream(self.seed, &[self.algorithm.id()]);
@@ -132,25 +131,9 @@ impl Converter<'_> {
         let ((initial, shuffle_seconds), seconds) = self.time(|settings| {
             let clock = settings.clock.unwrap_or(&system);
             let Self { algorithm, lrs_order, .. } = *settings;
-            algorithm.pair_by_clock(triangulation, lrs_order, &mut random, clock)
+            algorithm.pair_by_clock(triangulation, mesh, lrs_order, &mut random, clock)
         });
         report.shuffle_seconds = shuffle_seconds;
-        report.pairing_seconds = seconds;
-        initial
-    }
-
-    /// Pairs across the longest edges.
-    fn pair_by_length<'t>(
-        &mut self,
-        triangulation: &'t Triangulation,
-        mesh: &Mesh,
-        report: &mut Report,
-    ) -> InitialPairing<'t> {
-        let (initial, seconds) = self.time(|_| {
-            InitialPairing::from_input(triangulation, |dual| {
-                velho(dual, |h| squared_length(triangulation, mesh, h))
-            })
-        });
         report.pairing_seconds = seconds;
         initial
     }

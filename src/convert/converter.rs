@@ -147,8 +147,8 @@ impl<'a> Converter<'a> {
 
     /// Sets whether surfaces may have a boundary or be one-sided.
     ///
-    /// The fewest triangles stay unpaired, provably. [`Algorithm::DiksStanczyk`],
-    /// [`Algorithm::GawrychowskiWasylkiewicz`] and [`Algorithm::Lrs`] refuse such surfaces.
+    /// The fewest triangles stay unpaired, provably. Some algorithms refuse such surfaces; see
+    /// [`Algorithm::works_on_open`].
     #[must_use]
     pub fn open(self, open: bool) -> Self {
         Self { open, ..self }
@@ -243,16 +243,8 @@ impl<'a> Converter<'a> {
 
     /// Checks that the algorithm pairs triangles of open surfaces.
     fn require_open_algorithm(&self) -> Result<(), ConvertError> {
-        match self.algorithm {
-            Algorithm::DiksStanczyk | Algorithm::GawrychowskiWasylkiewicz | Algorithm::Lrs(_) => {
-                Err(ConvertError::NeedsClosed(self.algorithm))
-            }
-            Algorithm::Best
-            | Algorithm::EagerRescue
-            | Algorithm::SimpleGreedy
-            | Algorithm::Velho
-            | Algorithm::PulliSegal => Ok(()),
-        }
+        let can = self.algorithm.works_on_open();
+        can.then_some(()).ok_or(ConvertError::NeedsClosed(self.algorithm))
     }
 
     /// Makes the report of a conversion that begins.

@@ -7,7 +7,10 @@ use crate::quadrangulation::{CheckError, CostCountError, NoSuchEdgeError};
 use crate::triangulation::Survey;
 
 /// Reason why a mesh was not converted.
-#[derive(Clone, Debug, thiserror::Error)]
+///
+/// `Debug` writes the message, of a refused mesh with the remedy: an error that `main` returns is
+/// printed by `Debug`.
+#[derive(Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConvertError {
     /// The input is no triangulation of closed surfaces; the survey has every law that it breaks.
@@ -34,7 +37,8 @@ pub enum ConvertError {
     /// The algorithm works on closed, two-sided surfaces only.
     #[error(
         "{0} works on closed, two-sided surfaces only: it needs three neighbours at every triangle \
-         and two sides at every edge; use best, tq, ps or sg"
+         and two sides at every edge; use one of: {list}",
+        list = works_on_open()
     )]
     NeedsClosed(Algorithm),
     /// The algorithm does not support the requested aim.
@@ -48,6 +52,26 @@ pub enum ConvertError {
     /// [`Progress`](super::Progress) stopped the conversion; the report has what was counted.
     #[error("stopped after {} augmenting paths", .0.paths.paths)]
     Stopped(Box<Report>),
+}
+
+impl std::fmt::Debug for ConvertError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{self}")?;
+        match self {
+            Self::Refused(survey) => survey
+                .violations
+                .first()
+                .map_or(Ok(()), |first| write!(f, " [{}]; {}", first.law, first.law.remedy())),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Returns the names of the algorithms that need no closed surface.
+fn works_on_open() -> String {
+    let mut algorithms = Algorithm::ALL.to_vec();
+    algorithms.retain(|algorithm| algorithm.works_on_open());
+    algorithms.into_iter().map(Algorithm::id).collect::<Vec<_>>().join(", ")
 }
 
 // Their texts stand in the message, so they are no sources: a chain of errors has each text once.

@@ -12,10 +12,7 @@ use super::report::Report;
 use crate::augmentation::make_maximum;
 use crate::dual::{DualGraph, Matching};
 use crate::mesh::Mesh;
-use crate::pairing::{
-    Algorithm, Proof, best_matching, eager_rescue, fewest_unpaired, pulli_segal, simple_greedy,
-    squared_length, velho,
-};
+use crate::pairing::{Algorithm, Proof, best_matching, fewest_unpaired};
 use crate::quadrangulation::quality::Quality;
 use crate::quadrangulation::{CheckReport, MixedCheck, MixedFaces, SharpEdges, check_mixed_faces};
 use crate::random::Random;
@@ -30,6 +27,7 @@ impl Converter<'_> {
         mut report: Report,
     ) -> Result<Converted, ConvertError> {
         self.enter(Stage::Pairing);
+        report.unreferenced_vertices = mesh.positions().len() - report.vertices;
         let dual = DualGraph::new(surface);
         let (matching, proof) = if self.algorithm == Algorithm::Best {
             let (matching, proof) = self.match_by_cost(surface, &dual, &mesh, &mut report)?;
@@ -100,14 +98,9 @@ impl Converter<'_> {
         report: &mut Report,
     ) -> Result<Matching, ConvertError> {
         let mut random = Random::stream(self.seed, &[self.algorithm.id()]);
-        let (initial, seconds) = self.time(|settings| match settings.algorithm {
-            Algorithm::EagerRescue => eager_rescue(dual),
-            Algorithm::SimpleGreedy => simple_greedy(dual, &mut random),
-            Algorithm::Velho => velho(dual, |h| squared_length(surface, mesh, h)),
-            Algorithm::PulliSegal => pulli_segal(dual, Some(&mut random)),
-            // Refused, or with costs of its own.
-            _ => Matching::empty(dual.len()),
-        });
+        let (initial, seconds) =
+            self.time(|settings| settings.algorithm.pair_open(surface, dual, mesh, &mut random));
+        let initial = initial.ok_or(ConvertError::NeedsClosed(self.algorithm))?;
         report.pairing_seconds = seconds;
         report.unpaired_triangles = initial.unpaired_count();
         self.enter(Stage::Augmenting(report.unpaired_triangles / 2));

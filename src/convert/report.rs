@@ -25,6 +25,8 @@ pub struct Report {
     pub seed: u64,
     /// Referenced vertices n_v.
     pub vertices: usize,
+    /// Vertices of the mesh in no face; 0 without a mesh.
+    pub unreferenced_vertices: usize,
     /// Edges n_e of the triangulation.
     pub edges: usize,
     /// Triangles n_f.
@@ -134,6 +136,7 @@ impl Report {
             augmentation,
             seed,
             vertices: size.vertices,
+            unreferenced_vertices: 0,
             edges: size.edges,
             triangles: size.triangles,
             genus: size.genus,
@@ -229,8 +232,8 @@ impl Report {
         };
         write!(
             f,
-            "; quality {:.3} in the mean, {:.3} at worst, {} folded; {} of {} sharp edges kept; {} \
-             vertices of degree 2",
+            "; quality {:.3} in the mean, {:.3} at worst, {} folded; {} of {} edges over 30 \
+             degrees kept; {} vertices of degree 2",
             quality.mean,
             quality.minimum,
             quality.folded,
@@ -245,7 +248,7 @@ impl Report {
         write!(
             f,
             "{} triangles (genus {}), no quads; {} left {} unpaired ({:.3} %), stopped after {} of \
-             {} augmenting paths by {}; paired in {:.3} s, augmented for {:.3} s",
+             {} augmenting paths by {}; paired in {}, augmented for {}",
             self.triangles,
             self.genus,
             self.algorithm,
@@ -254,8 +257,8 @@ impl Report {
             self.paths.paths,
             self.unpaired_triangles / 2,
             self.augmentation,
-            self.pairing_seconds,
-            self.augmentation_seconds,
+            duration(self.pairing_seconds),
+            duration(self.augmentation_seconds),
         )
     }
 }
@@ -270,11 +273,20 @@ impl fmt::Display for Report {
         self.fmt_topology(f)?;
         write!(f, " -> {} quads", self.quads)?;
         self.fmt_left(f)?;
-        write!(f, " on the same {} vertices; ", self.vertices)?;
+        write!(f, " on the same {} vertices", self.vertices)?;
+        match self.unreferenced_vertices {
+            0 => write!(f, "; ")?,
+            more => write!(f, " ({more} more in no face); ")?,
+        }
         self.fmt_pairing(f)?;
         self.fmt_shape(f)?;
-        write!(f, "; paired in {:.3} s", self.total_seconds())
+        write!(f, "; paired in {}", duration(self.total_seconds()))
     }
+}
+
+/// Writes seconds; short ones with more digits, so that they are not 0.
+fn duration(seconds: f64) -> String {
+    if seconds < 0.01 { format!("{seconds:.6} s") } else { format!("{seconds:.3} s") }
 }
 
 #[cfg(feature = "serde")]

@@ -1,6 +1,7 @@
 //! Errors of reading and writing files, with their place.
 
 use std::fmt;
+use std::path::{Path, PathBuf};
 
 /// A place in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,15 +31,28 @@ impl fmt::Display for Place {
 }
 
 /// A reason why a mesh file could not be read or written.
-#[derive(Debug, thiserror::Error)]
+///
+/// `Debug` writes the message and the remedy: an error that `main` returns is printed by `Debug`.
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
     /// The operating system reported an error.
     #[error(transparent)]
     Io(#[from] std::io::Error),
+    /// Something is wrong with the file of this name.
+    #[error("{}: {error}", .path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it; never of this kind itself.
+        error: Box<MeshError>,
+    },
     /// The name has no extension of a known format.
     #[error("unknown mesh format '{0}'")]
     UnknownFormat(String),
+    /// The name has no extension of a format that is written.
+    #[error("unknown mesh format '{0}'")]
+    UnknownOutput(String),
     /// The format is known but is not written.
     #[error("{0} files are read, not written")]
     ReadOnly(&'static str),
@@ -79,8 +93,11 @@ impl MeshError {
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::Io(error) => io_remedy(error),
+            Self::File { error, .. } => error.remedy(),
             Self::UnknownFormat(_) => "use .obj, .ply, .off or .stl, each also with .gz",
-            Self::ReadOnly(_) => "write .obj, .ply or .off, each also with .gz",
+            Self::UnknownOutput(_) | Self::ReadOnly(_) => {
+                "write .obj, .ply or .off, each also with .gz"
+            }
             Self::Malformed { .. } => "correct the file there or export it again",
             Self::Truncated { .. } => "copy or export the file again",
             Self::Foreign { remedy, .. } => remedy,
@@ -89,9 +106,35 @@ impl MeshError {
         }
     }
 
+    /// Returns what is wrong, without the name of the file.
+    ///
+    /// ```
+    /// let error = triquad::Mesh::read("absent.obj").unwrap_err();
+    /// assert!(error.to_string().starts_with("absent.obj: "));
+    /// assert!(!error.without_path().to_string().contains("absent.obj"));
+    /// ```
+    #[must_use]
+    pub fn without_path(self) -> Self {
+        match self {
+            Self::File { error, .. } => *error,
+            error => error,
+        }
+    }
+
+    /// Adds the name of the file.
+    pub(crate) fn at(self, path: &Path) -> Self {
+        Self::File { path: path.to_owned(), error: Box::new(self) }
+    }
+
     /// Makes the error that something is wrong at `place`.
     pub(crate) fn malformed(place: Place, problem: impl Into<String>) -> Self {
         Self::Malformed { place, problem: problem.into() }
+    }
+}
+
+impl fmt::Debug for MeshError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self}; {}", self.remedy())
     }
 }
 

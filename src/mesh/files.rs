@@ -42,12 +42,16 @@ impl Reader {
     /// Gzip, UTF-16 and byte-order marks are recognised by the first bytes.
     ///
     /// # Errors
-    /// The first defect with its place in the file, or an error of the file system.
+    /// [`MeshError::File`] with the first defect and its place, or an error of the file system.
     pub fn read(&self, path: impl AsRef<Path>) -> Result<Mesh, MeshError> {
         let path = path.as_ref();
         if path.as_os_str() == "-" {
             return self.read_any(&mut io::stdin().lock(), None);
         }
+        self.read_file(path).map_err(|error| error.at(path))
+    }
+
+    fn read_file(&self, path: &Path) -> Result<Mesh, MeshError> {
         let format = Format::from_path(path)?;
         refuse_endless(path)?;
         self.read_any(&mut File::open(path)?, Some(format))

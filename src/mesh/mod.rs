@@ -38,7 +38,11 @@ mod text_list;
 mod triangulate;
 
 #[cfg(feature = "files")]
+mod clean;
+#[cfg(feature = "files")]
 mod content;
+#[cfg(feature = "files")]
+mod derived;
 #[cfg(feature = "files")]
 mod error;
 #[cfg(feature = "files")]
@@ -74,6 +78,8 @@ pub use polygon_mesh::Mesh;
 pub use text_list::{TextList, TextListIter};
 pub use triangulate::CutError;
 
+#[cfg(feature = "files")]
+pub use clean::Cleaned;
 #[cfg(feature = "files")]
 pub use error::{MeshError, Place, io_remedy};
 #[cfg(feature = "files")]

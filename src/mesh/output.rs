@@ -31,7 +31,10 @@ impl Output {
     /// The format is unknown or is not written, or no file can be made in the folder.
     pub fn create(path: impl AsRef<Path>) -> Result<Self, MeshError> {
         let path = path.as_ref();
-        let format = Format::from_path(path)?;
+        let format = Format::from_path(path).map_err(|error| match error {
+            MeshError::UnknownFormat(name) => MeshError::UnknownOutput(name),
+            error => error,
+        })?;
         if format == Format::Stl {
             return Err(MeshError::ReadOnly("STL"));
         }
@@ -71,9 +74,11 @@ impl Mesh {
     /// `-` is standard output (OBJ). The file appears under its name when it is complete.
     ///
     /// # Errors
-    /// The format is unknown or is not written, or those of the file system.
+    /// [`MeshError::File`]: the format is unknown or is not written, or those of the file system.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), MeshError> {
-        Output::create(path)?.write(self)
+        let path = path.as_ref();
+        let written = Output::create(path).and_then(|output| output.write(self));
+        written.map_err(|error| error.at(path))
     }
 
     /// Writes the mesh in `format` to `out`, which should be buffered.

@@ -73,6 +73,17 @@ impl Mesh {
         self.unknown_lines.as_deref()
     }
 
+    /// Notes what a repair has lost: so many, and the words for one and for several.
+    #[cfg(feature = "files")]
+    pub(super) fn note_losses<const N: usize>(&mut self, losses: [(usize, [&str; 2]); N]) {
+        let some = losses.into_iter().filter(|(count, _)| *count > 0);
+        let words = |(count, [one, several]): (usize, [&str; 2])| match count {
+            1 => format!("1 {one}"),
+            _ => format!("{count} {several}"),
+        };
+        self.left_out.extend(some.map(words));
+    }
+
     /// Takes the mesh apart into positions and faces. Attributes are dropped.
     pub fn into_parts(self) -> (Vec<[f64; 3]>, Faces) {
         (self.positions, self.faces)

@@ -144,7 +144,8 @@ impl<'a> Tokens<'a> {
         let word = &self.bytes[self.start..self.position];
         let shown = String::from_utf8_lossy(&word[..word.len().min(SHOWN)]);
         let dots = if word.len() > SHOWN { "..." } else { "" };
-        self.malformed(format!("'{}{dots}' is not {expected}", shown.escape_debug()))
+        let comma = decimal_comma(word);
+        self.malformed(format!("'{}{dots}' is not {expected}{comma}", shown.escape_debug()))
     }
 
     /// Makes the error that something is wrong with the line of the current word.
@@ -192,6 +193,14 @@ pub(super) fn count(word: &[u8]) -> Option<usize> {
         }
         value.checked_mul(10)?.checked_add(digit.into())
     })
+}
+
+/// Returns what to add to the complaint about a word that is a number but for its decimal comma.
+pub(super) fn decimal_comma(word: &[u8]) -> &'static str {
+    let point = |&byte: &u8| if byte == b',' { b'.' } else { byte };
+    let is_number =
+        word.contains(&b',') && float(&word.iter().map(point).collect::<Vec<_>>()).is_some();
+    if is_number { ": it has a decimal comma for a point" } else { "" }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::faces::Faces;
+use super::derived::Derived;
 use super::polygon_mesh::Mesh;
 
 /// Outcome of welding a mesh.
@@ -48,58 +48,44 @@ impl Mesh {
         self.positions = positions;
         let merged_vertices = before - self.positions.len();
         let dropped_faces = if merged_vertices == 0 { 0 } else { self.follow_weld(&targets) };
-        let notes = [
-            (merged_vertices, "vertices that welding made one with others"),
-            (dropped_faces, "faces that welding left with less than three corners"),
-        ];
-        let notes = notes.into_iter().filter(|(count, _)| *count > 0);
-        self.left_out.extend(notes.map(|(count, what)| format!("{count} {what}")));
+        let one_face = "face that welding left with less than three corners";
+        let faces = "faces that welding left with less than three corners";
+        self.note_losses([
+            (
+                merged_vertices,
+                [
+                    "vertex that welding made one with another",
+                    "vertices that welding made one with others",
+                ],
+            ),
+            (dropped_faces, [one_face, faces]),
+        ]);
         Welded { merged_vertices, dropped_faces }
     }
 
     /// Gives the faces the vertices in `targets`; returns the number of faces dropped.
     fn follow_weld(&mut self, targets: &[u32]) -> usize {
         let target = |v: u32| targets.get(v as usize).copied().unwrap_or(v);
-        let faces = std::mem::take(&mut self.faces);
         // A corner goes if the next corner is another vertex that becomes the same.
         let goes = |face: &[u32], corner: usize| {
             let [one, next] = [face[corner], face[(corner + 1) % face.len()]];
             one != next && target(one) == target(next)
         };
         let is_whole = |face: &[u32]| !(0..face.len()).any(|corner| goes(face, corner));
-        if faces.iter().all(is_whole) {
-            self.faces = faces;
+        if self.faces.iter().all(is_whole) {
             self.faces.corners.iter_mut().for_each(|v| *v = target(*v));
             return 0;
         }
-        let mut kept = Kept::default();
-        for (index, face) in faces.iter().enumerate() {
-            let start = faces.range(index).start;
+        let mut derived = Derived::default();
+        for (index, face) in self.faces.iter().enumerate() {
             let left: Vec<usize> = (0..face.len()).filter(|&c| !goes(face, c)).collect();
-            kept.first_new.push(kept.faces.len());
+            derived.begin_face();
             if left.len() >= 3 || left.len() == face.len() {
-                kept.faces.push(&left.iter().map(|&c| target(face[c])).collect::<Vec<_>>());
-                kept.sources.extend(left.iter().map(|c| start + c));
-                kept.origins.push(self.face_in_file(index) as u32);
+                derived.keep(self, index, left, target);
             }
         }
-        kept.first_new.push(kept.faces.len());
-        let dropped = faces.len() - kept.faces.len();
-        self.set_derived_faces(kept.faces, &kept.sources, &kept.first_new, kept.origins);
-        dropped
+        derived.replace_faces_of(self)
     }
-}
-
-/// Faces that are left, and where they come from.
-#[derive(Default)]
-struct Kept {
-    faces: Faces,
-    /// The old corner of each corner.
-    sources: Vec<usize>,
-    /// The first face left of each old one, and the number of faces.
-    first_new: Vec<usize>,
-    /// The face of the file of each face.
-    origins: Vec<u32>,
 }
 
 /// Makes positions with equal coordinates one vertex, in order of first occurrence.

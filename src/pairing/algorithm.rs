@@ -5,20 +5,22 @@ use super::cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
 use std::ops::ControlFlow;
 use std::str::FromStr;
 
-use super::eager_rescue::pair_with_rescues;
+use super::eager_rescue::{eager_rescue, pair_with_rescues};
 use super::initial::InitialPairing;
 use super::lrs::{Expansion, LRS_ORDER, lrs};
 use super::objective::Objective;
-use super::pulli_segal::pair_by_priority;
+use super::pulli_segal::{pair_by_priority, pulli_segal};
 use super::ranked_graph::RankedGraph;
 use super::shuffler::Shuffler;
-use super::simple_greedy::pair_edges;
-use super::velho::velho;
+use super::simple_greedy::{pair_edges, simple_greedy};
+use super::velho::{squared_length, velho};
 use crate::clock::Clock;
+use crate::dual::{DualGraph, Matching};
 use crate::irreducible::Discipline;
+use crate::mesh::Mesh;
 use crate::names::{UnknownNameError, find, serde_as_string};
 use crate::random::Random;
-use crate::triangulation::Triangulation;
+use crate::triangulation::{Surface, Triangulation};
 
 /// An algorithm that pairs up triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -73,7 +75,34 @@ impl Algorithm {
         }
     }
 
-    /// Pairs up triangles of `triangulation`.
+    /// Returns what is special about it, in a few words for `--help`.
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::Best => "best-shaped quads, provably",
+            Self::EagerRescue => "for speed, without regard to shape",
+            Self::SimpleGreedy => "simple greedy",
+            Self::Velho => "simple greedy, the longest edge first",
+            Self::PulliSegal => "Pulli-Segal",
+            Self::DiksStanczyk => "Diks-Stanczyk",
+            Self::GawrychowskiWasylkiewicz => "Gawrychowski-Wasylkiewicz",
+            Self::Lrs(_) => "contraction and expansion; flips edges",
+        }
+    }
+
+    /// Returns whether surfaces may have a boundary or be one-sided; see
+    /// [`Converter::open`](crate::Converter::open).
+    pub fn works_on_open(self) -> bool {
+        match self {
+            Self::Best
+            | Self::EagerRescue
+            | Self::SimpleGreedy
+            | Self::Velho
+            | Self::PulliSegal => true,
+            Self::DiksStanczyk | Self::GawrychowskiWasylkiewicz | Self::Lrs(_) => false,
+        }
+    }
+
+    /// Pairs up triangles of `triangulation`, without coordinates.
     ///
     /// Equal input and equal `random` give equal output. O(n); `ds` O(n log² n), `gw` O(n log n).
     /// `best` has no costs here: to it all pairings are equally good, see [`best`] for costs. To
@@ -84,24 +113,27 @@ impl Algorithm {
         triangulation: &'t Triangulation,
         random: &mut Random,
     ) -> InitialPairing<'t> {
-        self.pair_timed(triangulation, LRS_ORDER, Shuffler::new(random, None)).0
+        self.pair_closed(triangulation, None, LRS_ORDER, Shuffler::new(random, None)).0
     }
 
-    /// Does the same with another order for `lrs`, and returns the seconds that shuffles have taken
-    /// by `clock`.
+    /// Does the same with the coordinates of `mesh`, if there are any, and with another order for
+    /// `lrs`. Returns the seconds, too, that shuffles have taken by `clock`.
     pub(crate) fn pair_by_clock<'t>(
         self,
         triangulation: &'t Triangulation,
+        mesh: Option<&Mesh>,
         lrs_order: Discipline,
         random: &mut Random,
         clock: &dyn Clock,
     ) -> (InitialPairing<'t>, f64) {
-        self.pair_timed(triangulation, lrs_order, Shuffler::new(random, Some(clock)))
+        self.pair_closed(triangulation, mesh, lrs_order, Shuffler::new(random, Some(clock)))
     }
 
-    fn pair_timed<'t>(
+    /// The call of each algorithm for closed surfaces; [`Algorithm::pair_open`] has the others.
+    fn pair_closed<'t>(
         self,
         triangulation: &'t Triangulation,
+        mesh: Option<&Mesh>,
         lrs_order: Discipline,
         mut random: Shuffler,
     ) -> (InitialPairing<'t>, f64) {
@@ -121,7 +153,10 @@ impl Algorithm {
                 shuffle_seconds = random.seconds();
                 matching
             }),
-            Self::Velho => InitialPairing::from_input(triangulation, |dual| velho(dual, |_| 0.0)),
+            Self::Velho => InitialPairing::from_input(triangulation, |dual| match mesh {
+                Some(mesh) => velho(dual, |h| squared_length(triangulation, mesh, h)),
+                None => velho(dual, |_| 0.0),
+            }),
             Self::PulliSegal => {
                 let ranked = RankedGraph::new(triangulation);
                 let (dual, matching, seconds) = pair_by_priority(ranked, Some(random));
@@ -140,6 +175,25 @@ impl Algorithm {
             Self::Lrs(expansion) => lrs(triangulation, expansion, lrs_order),
         };
         (pairing, shuffle_seconds)
+    }
+
+    /// Pairs triangles of any surface: `dual` is its dual graph, `mesh` has its coordinates.
+    ///
+    /// Returns none for those that need a closed surface, and for `best`, which needs costs.
+    pub(crate) fn pair_open(
+        self,
+        surface: &impl Surface,
+        dual: &DualGraph,
+        mesh: &Mesh,
+        random: &mut Random,
+    ) -> Option<Matching> {
+        match self {
+            Self::EagerRescue => Some(eager_rescue(dual)),
+            Self::SimpleGreedy => Some(simple_greedy(dual, random)),
+            Self::Velho => Some(velho(dual, |h| squared_length(surface, mesh, h))),
+            Self::PulliSegal => Some(pulli_segal(dual, Some(random))),
+            Self::Best | Self::DiksStanczyk | Self::GawrychowskiWasylkiewicz | Self::Lrs(_) => None,
+        }
     }
 }
 
@@ -187,10 +241,9 @@ mod tests {
     #[test]
     fn unknown_algorithms_are_refused_with_the_names_there_are() {
         let refusal = |name: &str| name.parse::<Algorithm>().unwrap_err().to_string();
-        assert_eq!(
-            refusal("mst"),
-            "\"mst\" is no pairing algorithm; use one of: best, tq, sg, velho, ps, ds, gw, lrs"
-        );
+        let all = Algorithm::ALL.map(Algorithm::id).join(", ");
+        let expected = format!("\"mst\" is no pairing algorithm; use one of: {all}");
+        assert_eq!(refusal("mst"), expected);
         assert_eq!(
             refusal("lrs no-flips"),
             "\"no-flips\" is no expansion of lrs; use one of: printed, few-flips"

@@ -1,8 +1,8 @@
 //! First stage of every conversion: an initial pairing of edge-adjacent triangles, perfect or not.
 //!
 //! Adding an algorithm takes one file with its function and one variant of [`Algorithm`] with its
-//! id. The compiler names the remaining lines. Tests and the command line iterate over
-//! [`Algorithm::ALL`].
+//! place in [`Algorithm::ALL`]. The compiler names the remaining lines, all of them in
+//! `algorithm.rs`. Tests and the command line iterate over [`Algorithm::ALL`].
 //!
 //! # Examples
 //!
@@ -19,7 +19,9 @@
 //!     let mut random = Random::stream(7, &[algorithm.id()]);
 //!     let initial = algorithm.pair(&triangulation, &mut random);
 //!     assert!(initial.matching.is_matching_of(&initial.dual));
+//!     println!("{algorithm}: {}", algorithm.description());
 //! }
+//! assert!(Algorithm::Best.works_on_open() && !Algorithm::DiksStanczyk.works_on_open());
 //!
 //! let graph = DualGraph::new(&triangulation);
 //! let greedy = pairing::simple_greedy(&graph, &mut Random::stream(7, &[]));
@@ -77,5 +79,4 @@ pub use objective::{Keeping, Leftover, Objective, ObjectiveProblem};
 pub use proof::{Proof, ProofError};
 pub use pulli_segal::pulli_segal;
 pub use simple_greedy::simple_greedy;
-pub(crate) use velho::squared_length;
 pub use velho::velho;

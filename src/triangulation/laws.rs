@@ -101,8 +101,8 @@ impl Law {
             Self::IndexInRange => "correct the face or export the mesh again",
             Self::FiniteCoordinate => "correct the vertex or export the mesh again",
             Self::Triangle => "--triangulate cuts larger faces into triangles; remove smaller ones",
-            Self::DistinctCorners => "remove degenerate faces",
-            Self::DistinctFaces => "remove duplicate faces",
+            Self::DistinctCorners => "--clean drops degenerate faces",
+            Self::DistinctFaces => "--clean drops triangles that are there twice",
             Self::AtMostTwoFaces => {
                 "separate the sheets that meet there, or remove the inner faces"
             }

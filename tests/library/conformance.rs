@@ -197,9 +197,11 @@ fn a_seed_fixes_the_result_and_another_changes_it() {
             corners(&settings.converter().quadrangulate(&triangulation).unwrap().quadrangulation)
         };
         assert_eq!(quads(1), quads(1));
-        let draws = matches!(algorithm, Algorithm::SimpleGreedy | Algorithm::PulliSegal);
         let different: HashSet<_> = (0..5).map(quads).collect();
-        assert_eq!(different.len(), if draws { 5 } else { 1 }, "{algorithm}");
+        // An algorithm draws or ignores the seed.
+        assert!([1, 5].contains(&different.len()), "{algorithm}: {}", different.len());
+        let draws = matches!(algorithm, Algorithm::SimpleGreedy | Algorithm::PulliSegal);
+        assert!(!draws || different.len() == 5, "{algorithm}");
     }
 }
 
@@ -271,6 +273,7 @@ fn unreferenced_vertices_are_kept() {
         (report.vertices, report.quads),
         (list.positions().len() - 2, list.faces().len() / 2)
     );
+    assert!(report.to_string().contains(" vertices (2 more in no face); "), "{report}");
     assert_eq!(report.build_seconds, 0.5);
     // Costs of edges, the search, and the augmentation that finds nothing to do.
     assert_eq!((report.cost_seconds, report.total_seconds()), (0.5, 1.5));

@@ -7,6 +7,8 @@ mod contraction;
 #[cfg(feature = "files")]
 mod dialects;
 mod dynamic;
+#[cfg(feature = "files")]
+mod errors;
 mod examples;
 #[cfg(feature = "files")]
 mod formats;

@@ -238,6 +238,19 @@ fn the_page_of_the_command_has_every_verb_and_every_option_and_no_others() {
     assert!(invented.is_empty(), "{invented:?}");
 }
 
+#[test]
+fn every_algorithm_is_named_where_algorithms_are_listed() {
+    let lists = ["README.md", "CONTRIBUTING.md", "docs/cli.md", "docs/algorithms.md"];
+    for file in lists.into_iter().chain(["CHANGELOG.md", "python/triquad/_convert.py"]) {
+        let text = std::fs::read_to_string(root().join(file)).unwrap();
+        for id in triquad::Algorithm::ALL.map(triquad::Algorithm::id) {
+            let named =
+                text.contains(&format!("`{id}`")) || text.contains(&format!("--algorithm {id}`"));
+            assert!(named, "{file}: its list of algorithms lacks `{id}`");
+        }
+    }
+}
+
 /// Returns the targets of the links and pictures of a document that are files.
 fn linked_files(document: &str) -> impl Iterator<Item = &str> {
     let targets = document.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next());

@@ -1,6 +1,7 @@
 //! `--open`: surfaces with boundary and one-sided ones, and the check of what comes of them.
 
 use serde_json::Value;
+use triquad::Algorithm;
 use triquad::mesh::{Faces, Mesh};
 use triquad_generators::{classic, grids};
 
@@ -33,7 +34,7 @@ fn an_open_surface_is_converted_on_request() {
     let line = workshop.fail("convert in.obj -o out.obj", 2);
     assert_contains(&line, &["in.obj", "boundary-edge", "--open"], "refusal");
     let mut fewest = None;
-    for algorithm in ["best", "tq", "ps", "sg", "velho"] {
+    for algorithm in Algorithm::ALL.into_iter().filter(|algorithm| algorithm.works_on_open()) {
         let options = format!("--open --algorithm {algorithm} -o out.obj --stats -");
         let stats = workshop.json(&format!("convert in.obj {options}"), 0);
         let left = stats["leftover_triangles"].as_u64().unwrap();
@@ -53,16 +54,20 @@ fn an_open_surface_is_converted_on_request() {
     let line = workshop.fail("check other.obj --against in.obj --open", 1);
     assert_contains(&line, &["other.obj", "vertices"], "check");
     let table = workshop.succeed("convert in.obj --open --compare");
-    assert_eq!(table.lines().count(), 1 + triquad::Algorithm::ALL.len());
+    assert_eq!(table.lines().count(), 1 + Algorithm::ALL.len());
 }
 
 #[test]
 fn what_needs_a_closed_surface_says_so() {
     let workshop = Workshop::new();
     workshop.put_mesh("in.obj", &sphere_with_holes());
-    for algorithm in ["ds", "gw", "lrs"] {
+    let (open, closed): (Vec<_>, Vec<_>) =
+        Algorithm::ALL.into_iter().partition(|algorithm| algorithm.works_on_open());
+    let remedy =
+        format!("use one of: {}", open.iter().map(|a| a.id()).collect::<Vec<_>>().join(", "));
+    for algorithm in closed.into_iter().map(Algorithm::id) {
         let line = workshop.fail(&format!("convert in.obj --open --algorithm {algorithm}"), 2);
-        assert_contains(&line, &[algorithm, "closed", "use best, tq, ps or sg"], algorithm);
+        assert_contains(&line, &[algorithm, "closed", &remedy], algorithm);
     }
     let line = workshop.fail("irreducible in.obj --open -o out.obj", 2);
     assert_contains(&line, &["in.obj", "closed"], "irreducible");

@@ -75,6 +75,7 @@ fn a_program_of_somebody_else_is_checked_and_stands_in_every_table() {
     let said = shop.failed("run mine.toml --scale demo --out out");
     assert!(said.contains("absent is not installed: \"no-such-program\" was not found"), "{said}");
     assert!(said.contains("4 runs did not end well"), "{said}");
+    assert_eq!(said.matches("lies in no face").count(), 4, "each is named once: {said}");
     let records = shop.results("out").records;
     assert_eq!(records.len(), 2 * 2 * 4);
     for record in of(&records, "greedy") {
@@ -196,7 +197,10 @@ fn two_columns_of_somebody_else_reach_the_tables() {
     std::fs::write(shop.path("two.csv"), "mesh,seconds\nbotjo,0.5\n").unwrap();
     let refused = shop.refused("import two.csv --algorithm mymatch --out out");
     assert!(refused.contains("line 2: \"botjo\" is no mesh"), "{refused}");
-    assert!(refused.contains("nearest is \"botijo\""), "{refused}");
+    assert!(refused.ends_with("a mesh of your own, or \"botijo\" is meant\n"), "{refused}");
+    std::fs::write(shop.path("far.csv"), "mesh,seconds\nmytorus,0.5\n").unwrap();
+    let refused = shop.refused("import far.csv --algorithm mymatch --out out");
+    assert!(refused.ends_with("--other-meshes takes it in as a mesh of your own\n"), "{refused}");
     shop.succeed("import two.csv --algorithm mymatch --out out --other-meshes");
     assert!(text(&shop, "out/table_data.csv").contains("botjo,mymatch,"));
     std::fs::write(shop.path("tests.csv"), "mesh,link_condition_tests\nB0,2e6\n").unwrap();

@@ -113,7 +113,7 @@ impl DataMesh {
         let mut mesh =
             Self { name, path, sha256, vertices: 0, triangles: 0, genus: 0, problem: None };
         match triquad::Mesh::read(&mesh.path) {
-            Err(error) => mesh.problem = Some(error.to_string()),
+            Err(error) => mesh.problem = Some(error.without_path().to_string()),
             Ok(list) => match Triangulation::build(&list) {
                 Err(survey) => mesh.problem = Some(survey.to_string()),
                 Ok(built) => {

@@ -174,7 +174,8 @@ impl Job {
         let JobNames { algorithm, lrs_variant, .. } = self.names();
         let variant = lrs_variant.filter(|&variant| variant != Expansion::Printed.id());
         let name = variant.map_or(algorithm.into(), |variant| format!("{algorithm} {variant}"));
-        AlgorithmFacts::named(&name).expect("every algorithm has a row of facts")
+        AlgorithmFacts::named(&name)
+            .unwrap_or_else(|| panic!("{name} needs a row in lab/src/algorithms.rs"))
     }
 
     /// Returns the name in the papers, with what is not as published: `PS`, `LRS few-flips`,

@@ -14,12 +14,13 @@ use super::verification::verify;
 /// # Errors
 /// A file cannot be read, or the check fails: the reason in words.
 pub fn measure(task: Task, mesh: &Path, result: &Path) -> Result<Measured, String> {
-    let input = Mesh::read(mesh).map_err(|error| format!("its input: {error}"))?;
+    let input = Mesh::read(mesh).map_err(|error| format!("its input: {}", error.without_path()))?;
     let name = result.file_name().map(OsStr::to_string_lossy).unwrap_or_default();
     if !result.exists() {
         return Err(format!("it ended well and left no result {name}"));
     }
-    let result = Mesh::read(result).map_err(|error| format!("its result {name}: {error}"))?;
+    let result = Mesh::read(result)
+        .map_err(|error| format!("its result {name}: {}", error.without_path()))?;
     verify(task, &input, &result).map_err(|error| format!("its result: {error}"))
 }
 

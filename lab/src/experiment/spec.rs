@@ -349,8 +349,8 @@ mod tests {
         };
         assert!(problem("seed = 1", "seed = -1").starts_with("line 5: "));
         assert!(problem("seed", "sed").contains("unknown field `sed`"));
-        let unknown =
-            "\"pss\" is none of best, tq, sg, velho, ps, ds, gw, lrs; the nearest is \"ps\"";
+        let all = Algorithm::ALL.map(Algorithm::id).join(", ");
+        let unknown = format!("\"pss\" is none of {all}; the nearest is \"ps\"");
         assert_eq!(problem("\"ps\"", "\"pss\""), unknown);
         assert!(problem("few-flips", "none").starts_with("\"none\" is none of printed, few-flips"));
         assert!(problem("\"local\"", "\"far\"").starts_with("\"far\" is none of local, tarjan"));

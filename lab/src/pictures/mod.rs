@@ -101,9 +101,8 @@ pub fn draw(
 
 fn read_or_make(mesh: &PlannedMesh, cache: Option<&Path>) -> Result<Mesh, DrawError> {
     match (&mesh.source, cache) {
-        (Source::File(path, _), _) => {
-            Mesh::read(path).map_err(|error| DrawError::Read { path: path.clone(), error })
-        }
+        (Source::File(path, _), _) => Mesh::read(path)
+            .map_err(|error| DrawError::Read { path: path.clone(), error: error.without_path() }),
         (Source::Made(made, _), Some(folder)) => Ok(Cache::new(folder).get(&made.recipe)?),
         (Source::Made(made, _), None) => Ok(made.recipe.make()?),
     }

@@ -1,6 +1,7 @@
 //! Words, numbers and indices of a line.
 
 use crate::mesh::error::{MeshError, Place};
+use crate::mesh::tokens::decimal_comma;
 
 /// A defect of a line. Boxed, so that results without one fit in registers.
 pub(super) struct Fault(Box<Problem>);
@@ -103,14 +104,14 @@ impl<'t> Cursor<'t> {
         if self.at_end() {
             return Err("a vertex needs three coordinates".into());
         }
-        let (value, length) = fast_float2::parse_partial(self.rest)
-            .map_err(|_| Fault::from(format!("'{}' is not a number", word(self.rest))))?;
+        let (value, length) =
+            fast_float2::parse_partial(self.rest).map_err(|_| no_number(self.rest))?;
         match self.rest[length..] {
             [] | [b' ' | b'\t' | b'\r' | b'\n', ..] => {
                 self.rest = &self.rest[length..];
                 Ok(value)
             }
-            _ => Err(format!("'{}' is not a number", word(self.rest)).into()),
+            _ => Err(no_number(self.rest)),
         }
     }
 
@@ -153,6 +154,13 @@ pub(super) fn leading_digits(text: &[u8]) -> (i64, usize) {
     let pairs = (ones.wrapping_mul(10) + (ones >> 8)) & 0x00ff_00ff_00ff_00ff;
     let fours = (pairs.wrapping_mul(100) + (pairs >> 16)) & 0x0000_ffff_0000_ffff;
     (i64::from((fours.wrapping_mul(10_000) + (fours >> 32)) as u32), digits)
+}
+
+/// Makes the complaint that `text` begins with no number.
+#[cold]
+fn no_number(text: &[u8]) -> Fault {
+    let word = word(text);
+    format!("'{word}' is not a number{}", decimal_comma(word.as_bytes())).into()
 }
 
 /// Returns the first word of `text`, shortened, for messages.

@@ -205,7 +205,7 @@ fn faults_name_their_line() {
     let cases = [
         ("v 1 2\n", "line 1: a vertex needs three coordinates"),
         ("v 1 2 3\nv 1 2 x3\n", "line 2: 'x3' is not a number"),
-        ("v 1 2 3,5\n", "line 1: '3,5' is not a number"),
+        ("v 1 2 3,5\n", "line 1: '3,5' is not a number: it has a decimal comma for a point"),
         ("v 1 2 3\n\nf 1 0 1\n", "line 3: vertex index 0: indices start at 1"),
         ("v 1 2 3\nf -1 -2 -1\n", "line 2: vertex index -2 is out of range"),
         ("f 1 2 \\\n 3\nf 1 2 99999999999\n", "line 3: '99999999999' is not an index"),

@@ -37,6 +37,7 @@ fn use_content(bytes: &[u8], format: Format) {
     let survey = Survey::new(&mesh);
     assert_eq!(Triangulation::build(&mesh).is_ok(), survey.violations.is_empty());
     survey.orient(&mut mesh);
+    mesh.clean();
     let _ = mesh.triangulate();
     let _ = Triangulation::build_oriented(&mut mesh);
     let mut text = Vec::new();

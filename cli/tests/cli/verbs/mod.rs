@@ -8,4 +8,5 @@ mod interrupts;
 mod meshes;
 mod reductions;
 mod refusals;
+mod remedies;
 mod statistics;

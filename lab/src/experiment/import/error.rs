@@ -57,16 +57,17 @@ pub enum ImportError {
     Twice(String),
     /// A mesh is not known.
     #[error(
-        "line {line}: {name:?} is no mesh of the papers; the nearest is {nearest:?}. Write that, \
-         or allow others with --other-meshes"
+        "line {line}: {name:?} is no mesh of the papers; --other-meshes takes it in as a mesh of \
+         your own{}",
+        .nearest.as_ref().map_or(String::new(), |one| format!(", or {one:?} is meant"))
     )]
     UnknownMesh {
         /// Line, from 1.
         line: u64,
         /// The mesh.
         name: String,
-        /// The known mesh that is most like it.
-        nearest: String,
+        /// The known mesh that is most like it, if it is but a slip away.
+        nearest: Option<String>,
     },
     /// A field is not what its column is.
     #[error("line {line}, column {column:?}: {value:?} is no {expected}")]

@@ -19,7 +19,7 @@ use super::run_id::{MeshId, RunId};
 use super::task::Task;
 use crate::meshes::paper::{self, PaperMesh, Scale};
 use crate::meshes::{MeshKind, Recipe};
-use crate::nearest::nearest;
+use crate::nearest::{nearest, slip_of};
 use crate::paper::Paper;
 
 /// Options for reading a file.
@@ -273,7 +273,7 @@ fn record(
     let mesh = match mesh {
         None if !settings.allows_other_meshes || place.mesh.is_empty() => {
             let known = paper::ALL.iter().map(|mesh| mesh.name);
-            let nearest = nearest(&place.mesh, known).unwrap_or_default().into();
+            let nearest = slip_of(&place.mesh, known).map(String::from);
             return Err(ImportError::UnknownMesh { line, name: place.mesh, nearest });
         }
         found => found,

@@ -1,0 +1,163 @@
+//! Remedies of a mesh that is refused: what helps, with the options that are on.
+
+use std::cell::OnceCell;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use triquad::mesh::Faces;
+use triquad::{Law, Mesh, Survey, Violation};
+
+use crate::input::{self, Repairs};
+
+/// A mesh that was read and repaired, and is refused.
+pub struct Refused<'a> {
+    mesh: &'a Mesh,
+    repairs: Repairs,
+    welding_distance: OnceCell<Option<f64>>,
+}
+
+/// Returns what helps against a broken law of a mesh that is not at hand any more.
+pub fn general(law: Law, repairs: Repairs) -> &'static str {
+    match law {
+        Law::Triangle if repairs.triangulate => Law::DistinctCorners.remedy(),
+        Law::NoBoundary if repairs.reading.weld.is_some() => "close the holes",
+        law => law.remedy(),
+    }
+}
+
+impl<'a> Refused<'a> {
+    /// Takes a mesh that was read with `repairs`.
+    pub fn new(mesh: &'a Mesh, repairs: Repairs) -> Self {
+        Self { mesh, repairs, welding_distance: OnceCell::new() }
+    }
+
+    /// Returns what helps against a broken law.
+    pub fn remedy(&self, violation: &Violation) -> String {
+        match violation.law {
+            Law::Triangle => self.for_corners(),
+            Law::NoBoundary => match self.welding_distance() {
+                Some(0.0) => "--weld closes it: it joins vertices at equal coordinates".into(),
+                Some(distance) => {
+                    format!("--weld {distance:e} closes it: it joins vertices that near")
+                }
+                None => "close the holes".into(),
+            },
+            law => general(law, self.repairs).into(),
+        }
+    }
+
+    /// Returns what helps against the first face that is no triangle.
+    fn for_corners(&self) -> String {
+        let faces = self.mesh.faces();
+        let first = (0..faces.len()).find(|&face| faces[face].len() != 3).unwrap_or_default();
+        let corners = faces.get(first).unwrap_or_default().len();
+        match corners {
+            0..3 => {
+                let s = if corners == 1 { "" } else { "s" };
+                let end = match first + 1 == faces.len() {
+                    true => " and is the last: if the file was cut off, copy or export it again",
+                    false => "",
+                };
+                format!("it has {corners} corner{s}{end}; --clean drops degenerate faces")
+            }
+            // What is left of larger faces after cutting repeats a corner.
+            _ if self.repairs.triangulate => Law::DistinctCorners.remedy().into(),
+            _ => "--triangulate cuts larger faces into triangles".into(),
+        }
+    }
+
+    /// Returns the least distance for `--weld` that closes the mesh and loses no face: 0, or a
+    /// power of ten up to a thousandth of the size of the mesh. None if there is none beyond that
+    /// of a `--weld` that is on, or there are no holes. A few times the cost of a survey.
+    pub fn welding_distance(&self) -> Option<f64> {
+        *self.welding_distance.get_or_init(|| {
+            let rim = rim(self.mesh);
+            if rim.is_empty() {
+                return None;
+            }
+            let exponent = size(self.mesh).log10().floor();
+            let steps =
+                if exponent.is_finite() { exponent as i32 - 9..exponent as i32 - 2 } else { 0..0 };
+            let power = |exponent: i32| format!("1e{exponent}").parse().unwrap_or(f64::INFINITY);
+            let on = self.repairs.reading.weld;
+            let mut distances = std::iter::once(0.0).chain(steps.map(power));
+            distances.find(|&distance| {
+                on.is_none_or(|on| distance > on) && self.is_closed_by(distance, &rim)
+            })
+        })
+    }
+
+    fn is_closed_by(&self, distance: f64, rim: &[[f64; 3]]) -> bool {
+        // Every vertex of the rim must meet another. That is soon known.
+        let mut points = Mesh::new(rim.to_vec(), Faces::default());
+        if 2 * points.weld(distance).merged_vertices < rim.len() {
+            return false;
+        }
+        let mut welded = Mesh::new(self.mesh.positions().to_vec(), self.mesh.faces().clone());
+        welded.weld(distance).dropped_faces == 0 && Survey::new(&welded).closed
+    }
+
+    /// Returns the options with which `convert` takes the mesh, those that are on included; none if
+    /// there are none. The mesh breaks the laws of `survey`.
+    pub fn options(&self, survey: &Survey) -> Option<String> {
+        let breaks = |law| survey.violations.iter().any(|violation| violation.law == law);
+        let mut way = self.repairs;
+        let faces = self.mesh.faces();
+        way.clean |= breaks(Law::DistinctCorners) || breaks(Law::DistinctFaces);
+        way.clean |= faces.iter().any(|face| face.len() < 3);
+        way.triangulate |= faces.iter().any(|face| face.len() > 3);
+        if breaks(Law::NoBoundary) {
+            way.reading.weld = self.welding_distance().or(way.reading.weld);
+        }
+        let mut mended = Mesh::new(self.mesh.positions().to_vec(), faces.clone());
+        if let Some(distance) = way.reading.weld {
+            mended.weld(distance);
+        }
+        input::repair(Path::new(""), &mut mended, way).ok()?;
+        // Where edges have too many faces, only now is known which faces disagree.
+        let violations = Survey::new(&mended).violations;
+        way.orient |= violations.iter().any(|broken| broken.law == Law::ConsistentOrientation);
+        let is_open = match input::build_oriented(&mut mended, way) {
+            Ok(_) => false,
+            Err(survey) if survey.is_open_surface(way.orient) => true,
+            Err(_) => return None,
+        };
+        let weld = way.reading.weld.map(|distance| match distance {
+            0.0 => "--weld".into(),
+            _ => format!("--weld {distance:e}"),
+        });
+        let others = [
+            (way.clean, "--clean"),
+            (way.triangulate, "--triangulate"),
+            (way.orient, "--orient"),
+            (is_open, "--open"),
+        ];
+        let others = others.into_iter().filter(|(is_on, _)| *is_on);
+        let words: Vec<String> =
+            weld.into_iter().chain(others.map(|(_, option)| option.into())).collect();
+        Some(words.join(" "))
+    }
+}
+
+/// Returns the vertices of edges that belong to one face only.
+fn rim(mesh: &Mesh) -> Vec<[f64; 3]> {
+    let mut edges = Vec::with_capacity(mesh.faces().corners().len());
+    for face in mesh.faces() {
+        let next = face.iter().cycle().skip(1);
+        edges.extend(face.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)]));
+    }
+    edges.sort_unstable();
+    let single = edges.chunk_by(|one, other| one == other).filter(|group| group.len() == 1);
+    let vertices: BTreeSet<u32> = single.flat_map(|group| group[0]).collect();
+    let positions = mesh.positions();
+    vertices.iter().filter_map(|&v| positions.get(v as usize).copied()).collect()
+}
+
+/// Returns the longest side of the box round the mesh.
+fn size(mesh: &Mesh) -> f64 {
+    let side = |axis: usize| {
+        let all = || mesh.positions().iter().map(|at| at[axis]).filter(|x| x.is_finite());
+        all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+    };
+    (0..3).map(side).fold(0.0, f64::max)
+}

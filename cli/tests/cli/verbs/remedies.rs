@@ -1,0 +1,114 @@
+//! What refusals advise: it is not on already, and it works when pasted.
+
+use super::meshes::{CUBE, TETRAHEDRON, tetrahedron_of};
+use crate::workshop::{Workshop, assert_contains};
+
+/// The tetrahedron as four loose triangles, vertices that belong together `gap` apart at most.
+fn soup(gap: f64) -> String {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut text = String::new();
+    for (face, triangle) in [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].into_iter().enumerate() {
+        for corner in triangle {
+            let [x, y, z]: [f64; 3] = corners[corner];
+            text += &format!("v {} {y} {z}\n", x + gap * face as f64 / 3.0);
+        }
+    }
+    for face in 0..4 {
+        text += &format!("f {} {} {}\n", 3 * face + 1, 3 * face + 2, 3 * face + 3);
+    }
+    text
+}
+
+/// A mesh, options that are on, the advice, and the options with which it can be converted.
+type Case = (String, &'static str, &'static str, Option<&'static str>);
+
+fn cases() -> Vec<Case> {
+    let with = |lines: &str| format!("{TETRAHEDRON}{lines}\n");
+    let open = TETRAHEDRON[..TETRAHEDRON.len() - 8].to_owned();
+    let turned = TETRAHEDRON.replace("f 1 3 2", "f 1 2 3");
+    let bow_tie =
+        format!("{TETRAHEDRON}v 2 0 0\nv 0 2 0\nv 0 0 2\n{}", tetrahedron_of([4, 5, 6, 7]));
+    let cut_off = "it has 2 corners and is the last: if the file was cut off, copy";
+    vec![
+        (soup(0.0), "", "--weld closes it: it joins vertices at equal", Some("--weld")),
+        (soup(2e-6), "", "--weld 1e-5 closes it", Some("--weld 1e-5")),
+        (soup(2e-6), "--weld", "--weld 1e-5 closes it", Some("--weld 1e-5")),
+        (soup(2e-6), "--weld 1e-7", "--weld 1e-5 closes it", Some("--weld 1e-5")),
+        (open.clone(), "", "close the holes", Some("--open")),
+        (open, "--weld", "close the holes", Some("--weld --open")),
+        (CUBE.into(), "", "--triangulate cuts", Some("--triangulate")),
+        (CUBE.into(), "--orient", "--triangulate cuts", Some("--triangulate --orient")),
+        (with("f 1 2"), "", cut_off, Some("--clean")),
+        (with("f 1 2"), "--triangulate", cut_off, Some("--clean --triangulate")),
+        (with("f 1 1 2"), "", "--clean drops degenerate", Some("--clean")),
+        (with("f 1 1 2 3"), "--triangulate", "--clean drops", Some("--clean --triangulate")),
+        (with("f 2 1 3"), "", "--clean drops triangles", Some("--clean")),
+        (turned.clone(), "", "--orient flips", Some("--orient")),
+        (format!("{turned}f 2 1 3\n"), "", "--clean drops", Some("--clean --orient")),
+        (bow_tie, "--orient", "give each fan a vertex", None),
+    ]
+}
+
+/// Returns each option that `text` names, with its number if it has one.
+fn options(text: &str) -> Vec<String> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let option = |(at, word): (usize, &&str)| {
+        let name = word.trim_matches(|c: char| !c.is_ascii_alphanumeric() && c != '-');
+        let number = words.get(at + 1).filter(|next| next.parse::<f64>().is_ok());
+        name.starts_with("--").then(|| match number {
+            Some(number) => format!("{name} {number}"),
+            None => name.to_owned(),
+        })
+    };
+    words.iter().enumerate().filter_map(option).collect()
+}
+
+#[test]
+fn no_remedy_is_on_already_and_the_options_that_info_names_work() {
+    for (mesh, on, advice, way) in cases() {
+        let workshop = Workshop::new();
+        workshop.put("in.obj", &mesh);
+        let what = format!("{on}, {advice}");
+        let line = workshop.fail(&format!("convert in.obj {on}"), 2);
+        assert_contains(&line, &[advice], &what);
+        assert!(options(&line).iter().all(|option| !options(on).contains(option)), "{line}");
+        let run = workshop.run(&format!("info in.obj {on}"));
+        assert_eq!(run.code, Some(2), "{what}: {run:?}");
+        let stdout = String::from_utf8(run.stdout).unwrap();
+        assert_contains(&stdout, &[advice], &what);
+        let Some(way) = way else {
+            assert_contains(&run.stderr, &["it cannot be converted as it is"], &what);
+            continue;
+        };
+        assert_contains(&run.stderr, &[&format!("'triquad convert {way}'")], &what);
+        workshop.succeed(&format!("convert in.obj {way} -o out.obj"));
+        workshop.succeed(&format!("check out.obj --against in.obj {way}"));
+        let closed = way.replace("--open", "");
+        let code = if closed == way { 0 } else { 2 };
+        assert_eq!(workshop.run(&format!("info in.obj {closed}")).code, Some(code), "{what}");
+    }
+}
+
+#[test]
+fn a_mesh_from_a_pipe_gets_no_remedy_that_is_on() {
+    for (mesh, on, _, _) in cases() {
+        let run = Workshop::new().run_with_input(&format!("convert - {on}"), mesh.as_bytes());
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(options(&run.stderr).iter().all(|option| !options(on).contains(option)), "{run:?}");
+    }
+}
+
+#[test]
+fn what_cleaning_and_welding_drop_is_counted_and_named() {
+    let workshop = Workshop::new();
+    workshop.put("in.obj", format!("{TETRAHEDRON}f 1 1 2\nf 2 1 3\nf 3 2 1\nf 4 4 4\n"));
+    let run = workshop.run("convert in.obj --clean -o out.obj --stats stats.json");
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let notes = ["2 faces that were degenerate", "2 faces that were there twice"];
+    assert_contains(&run.stderr, &notes, "note");
+    let stats = String::from_utf8(workshop.get("stats.json")).unwrap();
+    assert_contains(&stats, &notes, "stats");
+    workshop.put("close.obj", soup(0.0).replace("v 0 0 0\n", "v 0 0 0.5\n"));
+    let line = workshop.fail("convert close.obj --weld 10", 2);
+    assert_contains(&line, &["close.obj", "--weld 10 leaves no face", "smaller distance"], "weld");
+}

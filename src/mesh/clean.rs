@@ -1,0 +1,100 @@
+//! Cleaning: faces that no surface can have are dropped.
+
+use std::collections::HashSet;
+
+use super::derived::Derived;
+use super::polygon_mesh::Mesh;
+
+/// Outcome of cleaning a mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Cleaned {
+    /// Faces dropped that have fewer than three corners or one corner twice.
+    pub degenerate_faces: usize,
+    /// Triangles dropped that have the corners of an earlier one.
+    pub duplicate_faces: usize,
+}
+
+impl Mesh {
+    /// Drops degenerate faces, and triangles that have the corners of an earlier one.
+    ///
+    /// The other faces keep their order, and every vertex stays. Larger faces with the same
+    /// corners stay, too: two quads can be a sphere. A dropped face may leave a hole.
+    ///
+    /// ```
+    /// use triquad::mesh::Mesh;
+    ///
+    /// let triangles = vec![[0, 1, 2], [1, 1, 2], [2, 1, 0], [0, 1, 3]];
+    /// let mut mesh = Mesh::from_triangles(vec![[0.0; 3]; 4], triangles);
+    /// let cleaned = mesh.clean();
+    /// assert_eq!((cleaned.degenerate_faces, cleaned.duplicate_faces), (1, 1));
+    /// assert_eq!(mesh.faces().corners(), [0, 1, 2, 0, 1, 3]);
+    /// ```
+    ///
+    /// # Cost
+    /// O(n) expected.
+    pub fn clean(&mut self) -> Cleaned {
+        let mut cleaned = Cleaned::default();
+        let mut triangles = HashSet::with_capacity(self.faces().len());
+        let mut derived = Derived::default();
+        let mut corners = Vec::new();
+        for (index, face) in self.faces().iter().enumerate() {
+            corners.clear();
+            corners.extend_from_slice(face);
+            corners.sort_unstable();
+            let is_degenerate = face.len() < 3 || corners.windows(2).any(|pair| pair[0] == pair[1]);
+            let key = <[u32; 3]>::try_from(&corners[..]);
+            let is_duplicate = !is_degenerate && key.is_ok_and(|key| !triangles.insert(key));
+            cleaned.degenerate_faces += usize::from(is_degenerate);
+            cleaned.duplicate_faces += usize::from(is_duplicate);
+            derived.begin_face();
+            if !is_degenerate && !is_duplicate {
+                derived.keep(self, index, 0..face.len(), |v| v);
+            }
+        }
+        if cleaned != Cleaned::default() {
+            derived.replace_faces_of(self);
+        }
+        self.note_losses([
+            (cleaned.degenerate_faces, ["face that was degenerate", "faces that were degenerate"]),
+            (cleaned.duplicate_faces, ["face that was there twice", "faces that were there twice"]),
+        ]);
+        cleaned
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::attributes::Attributes;
+    use crate::mesh::{FaceSection, FaceSections, Faces};
+
+    #[test]
+    fn what_is_attached_and_the_number_in_the_file_stay_with_each_face() {
+        let given: [&[u32]; 6] =
+            [&[5, 6], &[0, 1, 2], &[3, 4, 3], &[1, 2, 0], &[0, 1, 2, 3], &[3, 2, 1, 0]];
+        let mut mesh = Mesh::new(vec![[0.0; 3]; 7], Faces::from_iter(given));
+        let mut sections = FaceSections::default();
+        sections.push(FaceSection { first_face: 3, line: "g a" });
+        mesh.attributes = Some(Box::new(Attributes {
+            corner_texture: (10..29).map(Some).take(19).collect(),
+            sections,
+            ..Attributes::default()
+        }));
+        let cleaned = mesh.clean();
+        assert_eq!((cleaned.degenerate_faces, cleaned.duplicate_faces), (2, 1));
+        let expected: [&[u32]; 3] = [&[0, 1, 2], &[0, 1, 2, 3], &[3, 2, 1, 0]];
+        assert!(mesh.faces().iter().eq(expected));
+        assert_eq!([0, 1, 2].map(|face| mesh.face_in_file(face)), [1, 4, 5]);
+        let notes = ["2 faces that were degenerate", "1 face that was there twice"];
+        assert_eq!(mesh.left_out(), notes);
+        let attributes = mesh.attributes().unwrap();
+        let texture = [12, 13, 14, 21, 22, 23, 24, 25, 26, 27, 28].map(Some);
+        assert!(attributes.corner_texture.iter().eq(texture));
+        assert!(attributes.sections.iter().map(|section| section.first_face).eq([1]));
+        let clean = mesh.clone();
+        assert_eq!(mesh.clean(), Cleaned::default());
+        assert_eq!(mesh, clean);
+    }
+}
