@@ -65,7 +65,7 @@ pub fn read(path: &Path, reading: Reading) -> Result<Mesh, Failure> {
         let dropped = mesh.weld(distance).dropped_faces;
         if dropped > 0 && mesh.faces().is_empty() {
             let path = path.display();
-            let problem = format!("--weld {distance} leaves no face");
+            let problem = "--weld leaves no face at this distance";
             return Err(Failure::bad(format!("{path}: {problem}; give a smaller distance")));
         }
     }

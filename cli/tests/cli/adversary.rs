@@ -45,7 +45,7 @@ fn welding_everything_to_one_vertex_is_told() {
     let workshop = workshop();
     for distance in ["1e308", "9"] {
         let line = workshop.fail(&format!("convert in.obj --weld={distance}"), 2);
-        assert_contains(&line, &["in.obj", "leave no face", "smaller distance"], distance);
+        assert_contains(&line, &["in.obj", "leaves no face", "smaller distance"], distance);
     }
 }
 
