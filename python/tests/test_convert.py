@@ -251,7 +251,7 @@ SLOW = "triquad.convert(*torus(500, 500), 'sg', augmentation='tarjan')"
 
 
 def test_other_threads_go_on_while_a_call_works() -> None:
-    vertices, triangles = torus(60, 60)
+    vertices, triangles = torus(300, 300)
     call = threading.Thread(
         target=triquad.convert, args=(vertices, triangles, "sg"), kwargs={"augmentation": "tarjan"}
     )
