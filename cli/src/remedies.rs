@@ -88,9 +88,10 @@ impl<'a> Refused<'a> {
     }
 
     fn is_closed_by(&self, distance: f64, rim: &[[f64; 3]]) -> bool {
-        // Every vertex of the rim must meet another. That is soon known.
+        // Vertices of the rim must meet, all but the two ends of a slit. If none do, that is soon
+        // known.
         let mut points = Mesh::new(rim.to_vec(), Faces::default());
-        if 2 * points.weld(distance).merged_vertices < rim.len() {
+        if points.weld(distance).merged_vertices == 0 {
             return false;
         }
         let mut welded = Mesh::new(self.mesh.positions().to_vec(), self.mesh.faces().clone());

@@ -19,6 +19,13 @@ fn soup(gap: f64) -> String {
     text
 }
 
+/// An octahedron with a slit: one vertex is two, `gap` apart. The ends of the slit have no twins.
+fn slit(gap: f64) -> String {
+    let vertices = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n";
+    let faces = "f 1 3 5\nf 3 2 5\nf 2 4 7\nf 4 1 7\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+    format!("{vertices}v {gap} 0 1\n{faces}")
+}
+
 /// A mesh, options that are on, the advice, and the options with which it can be converted.
 type Case = (String, &'static str, &'static str, Option<&'static str>);
 
@@ -34,6 +41,8 @@ fn cases() -> Vec<Case> {
         (soup(2e-6), "", "--weld 1e-5 closes it", Some("--weld 1e-5")),
         (soup(2e-6), "--weld", "--weld 1e-5 closes it", Some("--weld 1e-5")),
         (soup(2e-6), "--weld 1e-7", "--weld 1e-5 closes it", Some("--weld 1e-5")),
+        (slit(0.0), "", "--weld closes it: it joins vertices at equal", Some("--weld")),
+        (slit(2e-6), "", "--weld 1e-5 closes it", Some("--weld 1e-5")),
         (open.clone(), "", "close the holes", Some("--open")),
         (open, "--weld", "close the holes", Some("--weld --open")),
         (CUBE.into(), "", "--triangulate cuts", Some("--triangulate")),
