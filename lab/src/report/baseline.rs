@@ -75,7 +75,9 @@ fn compared(
         for row in &table.rows {
             for (column, cell) in row.cells.iter().enumerate() {
                 let name = &table.columns[column].name;
-                if NOT_COMPARED.contains(&name.as_str()) || cell.ours.number().is_none() {
+                // `rs_n` and the like are numbers of runs, too.
+                let is_compared = !NOT_COMPARED.contains(&name.as_str()) && !name.ends_with("_n");
+                if !is_compared || cell.ours.number().is_none() {
                     continue;
                 }
                 let theirs = baseline(table, row, column);
