@@ -6,7 +6,7 @@ use super::statements::Continued;
 use crate::mesh::error::{MeshError, Place};
 use crate::mesh::line_ends;
 
-/// Number of bytes that one thread reads at a time.
+/// Number of bytes that a thread parses at a time, at most.
 pub(super) const BLOCK: usize = 1 << 20;
 
 /// Lines up to this length are read whatever the blocks; continued lines count as one.
