@@ -7,27 +7,19 @@ use std::process::{Command, Stdio};
 use triquad::Mesh;
 use triquad_generators::{Surface, grids};
 
+use crate::experiment_text::experiment;
 use crate::experiments::Workshop as Laboratory;
 use crate::workshop::{Workshop, assert_contains};
 
 /// An experiment and a group that no table is named after.
-const EXPERIMENT: &str = r#"
-    name = "evening"
-    title = "Own meshes"
-    task = "convert"
-    seed = 3
-    [limits]
-    timeout_seconds = 60
-    memory_gigabytes = 4
-    [[group]]
-    name = "anything"
-    meshes = ["botijo", "ring"]
-    other_data = true
-    [[group.run]]
-    algorithms = ["ps", "tq"]
-    augmentations = ["tarjan"]
-    repetitions = { full = 2, small = 2, demo = 2 }
-"#;
+const EXPERIMENT: &str = experiment!(
+    "evening",
+    "convert",
+    "[\"botijo\", \"ring\"]\nother_data = true",
+    r#"algorithms = ["ps", "tq"]
+        augmentations = ["tarjan"]
+        repetitions = { full = 2, small = 2, demo = 2 }"#,
+);
 /// Two meshes, two algorithms, twice.
 const RUNS: usize = 8;
 
