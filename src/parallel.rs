@@ -46,8 +46,13 @@ pub(crate) fn ranges(length: usize) -> Vec<Range<usize>> {
     let parts = rayon::current_num_threads().min(length / LEAST).max(1);
     #[cfg(not(feature = "threads"))]
     let parts = 1;
+    (0..parts).map(|part| range_of(part, parts, length)).collect()
+}
+
+/// Returns the range of `0..length` that is one of so many about equal parts.
+pub(crate) fn range_of(part: usize, parts: usize, length: usize) -> Range<usize> {
     let end = |part: usize| (length as u128 * part as u128 / parts as u128) as usize;
-    (0..parts).map(|part| end(part)..end(part + 1)).collect()
+    end(part)..end(part + 1)
 }
 
 /// Does `work` with each part and returns what it returns, in the order of the parts.

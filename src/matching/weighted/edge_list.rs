@@ -1,7 +1,8 @@
 //! Any graph, given by a list of its edges.
 
 use super::prices::Prices;
-use super::problem::{Edge, Problem, range_of};
+use super::problem::{Edge, Problem};
+use crate::parallel::range_of;
 
 /// A graph given by a list of edges and their costs.
 ///

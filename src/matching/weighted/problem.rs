@@ -1,6 +1,6 @@
 //! The problem: a graph, an integer cost on every edge, a price for nodes that may stay unpaired.
 
-use std::ops::Range;
+use crate::parallel::range_of;
 
 /// Stands for "no node": the neighbour across a boundary, the mate of an unpaired node.
 pub const NONE: u32 = u32::MAX;
@@ -66,12 +66,6 @@ pub(crate) fn cubic_edges(
         let edge = move |side| Edge { ends: [node, neighbours[side]], cost: costs[side] };
         (0..3).filter(from_here).map(edge)
     })
-}
-
-/// Returns the range of `0..count` that is one of so many about equal parts.
-pub(crate) fn range_of(part: usize, parts: usize, count: usize) -> Range<usize> {
-    let end = |part: usize| (count as u128 * part as u128 / parts as u128) as usize;
-    end(part)..end(part + 1)
 }
 
 /// A matching, read node by node.
