@@ -24,32 +24,31 @@ impl Converter<'_> {
     /// Converts a mesh whose triangulation is given.
     pub(super) fn run_closed(
         &mut self,
-        triangulation: &Triangulation,
+        input: Triangulation,
         mesh: Cow<'_, Mesh>,
         build_seconds: f64,
     ) -> Result<Converted, ConvertError> {
-        let mut paired = self.pair(triangulation, Some(&mesh))?;
-        paired.report.build_seconds = build_seconds;
-        paired.report.unreferenced_vertices = mesh.positions().len() - paired.report.vertices;
-        let quadrangulation = Quadrangulation::new(&paired.triangulation, &paired.perfect);
-        let sharp_edges = Some(SharpEdges::new(
-            &*paired.triangulation,
-            mesh.positions(),
-            quadrangulation.removed(),
-        ));
-        drop((paired.perfect, paired.dual));
-
-        self.enter(Stage::Checking);
-        let quads = quadrangulation.to_faces();
-        let flipped = match &paired.triangulation {
+        let Paired { triangulation: paired, dual, perfect, mut report, proof, given_up } =
+            self.pair(&input, Some(&mesh))?;
+        report.build_seconds = build_seconds;
+        report.unreferenced_vertices = mesh.positions().len() - report.vertices;
+        let quadrangulation = Quadrangulation::new(&paired, &perfect);
+        drop((perfect, dual));
+        let removed = quadrangulation.removed();
+        let sharp_edges = Some(SharpEdges::new(&*paired, mesh.positions(), removed));
+        let attributes = quadrangulation.carry_attributes(&paired, &input, &mesh);
+        let losses = quadrangulation.attribute_losses(&paired, &input, &mesh);
+        let quads = quadrangulation.into_faces();
+        let flipped = match paired {
             Cow::Borrowed(_) => None,
             Cow::Owned(flipped) => Some(flipped.to_faces()),
         };
+        // The check has arrays of its own, as large as these.
+        drop(input);
+
+        self.enter(Stage::Checking);
         let (check, check_seconds) = self.time(|_| check_result(&quads, flipped.as_ref(), &mesh));
         let check = check?;
-        let attributes =
-            quadrangulation.carry_attributes(&paired.triangulation, triangulation, &mesh);
-        let losses = quadrangulation.attribute_losses(&paired.triangulation, triangulation, &mesh);
         let mut mesh = mesh.into_owned();
         let given = mesh.replace_faces(quads);
         let triangles = flipped.unwrap_or(given);
@@ -64,10 +63,9 @@ impl Converter<'_> {
             is_proved_fewest: self.open,
             quality,
             sharp_edges,
-            check_seconds: paired.report.check_seconds + check_seconds,
-            ..paired.report
+            check_seconds: report.check_seconds + check_seconds,
+            ..report
         };
-        let Paired { proof, given_up, .. } = paired;
         Ok(Converted { mesh, triangles, report, losses, proof, given_up })
     }
 

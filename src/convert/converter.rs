@@ -205,7 +205,7 @@ impl<'a> Converter<'a> {
                 let report = Report { build_seconds, ..self.report(Size::from(&surface)) };
                 self.run_mixed(&surface, mesh, report)
             }
-            Built::Closed(surface) => self.run_closed(&surface, mesh, build_seconds),
+            Built::Closed(surface) => self.run_closed(surface, mesh, build_seconds),
             Built::Open(surface, survey) => {
                 self.require_open_algorithm()?;
                 let report = Report {

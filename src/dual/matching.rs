@@ -1,6 +1,9 @@
 //! Matchings: which triangle is paired with which.
 
+use std::ops::Range;
+
 use super::graph::DualGraph;
+use crate::parallel::{map, ranges};
 use crate::prefetch::prefetch;
 use crate::triangulation::{HalfEdgeId, IdVec, TriangleId};
 
@@ -116,9 +119,17 @@ impl Matching {
             Some(g) => self.mate[g] == f && graph.sides_or_none(f).contains(&g),
             None => true,
         };
-        self.len() == graph.len()
-            && self.mate.ids().all(legal)
-            && self.unpaired().count() == self.unpaired
+        // Legal triangles of a range, and unpaired ones.
+        let count = |range: Range<usize>| {
+            let all = || range.clone().map(TriangleId::new);
+            (all().filter(|&f| legal(f)).count(), all().filter(|&f| !self.is_paired(f)).count())
+        };
+        if self.len() != graph.len() {
+            return false;
+        }
+        let counts = map(ranges(self.len()), count);
+        let sum = |(legal, unpaired), (l, u)| (legal + l, unpaired + u);
+        counts.into_iter().fold((0, 0), sum) == (self.len(), self.unpaired)
     }
 
     /// Proves that every triangle is paired with one across an edge of `graph`. O(n).
@@ -154,6 +165,15 @@ impl PerfectMatching {
 
     /// Iterates over the pairs in order of their lower triangles, which come first. O(n).
     pub fn pairs(&self) -> impl Iterator<Item = (TriangleId, TriangleId)> {
-        self.mate.ids().map(|f| (f, self.mate[f])).filter(|(f, g)| f.index() < g.index())
+        self.pairs_from(0..self.mate.len())
+    }
+
+    /// Iterates over the pairs whose lower triangles are in this range, in order.
+    pub(crate) fn pairs_from(
+        &self,
+        lower: Range<usize>,
+    ) -> impl Iterator<Item = (TriangleId, TriangleId)> {
+        let pairs = lower.map(TriangleId::new).map(|f| (f, self.mate[f]));
+        pairs.filter(|(f, g)| f.index() < g.index())
     }
 }

@@ -54,6 +54,7 @@ mod sharp_edges;
 
 use crate::dual::PerfectMatching;
 use crate::mesh::{Attributes, CornerIndices, Faces, Mesh};
+use crate::parallel::{collect, map, ranges};
 use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexId};
 
 pub(crate) use check::check_faces;
@@ -92,13 +93,13 @@ impl Quadrangulation {
     /// # Panics
     /// If two mates have no common edge: the matching is that of another triangulation.
     pub fn new(triangulation: &Triangulation, matching: &PerfectMatching) -> Self {
-        let mut removed = Vec::with_capacity(matching.pair_count());
-        let mut corners = Vec::with_capacity(matching.pair_count());
-        for (lower, upper) in matching.pairs() {
-            let side = common_side(triangulation, lower, upper);
-            removed.push(side);
-            corners.push(quad_across(triangulation, side));
-        }
+        let sides_of = |lower| {
+            let pairs = matching.pairs_from(lower);
+            pairs.map(|(lower, upper)| common_side(triangulation, lower, upper)).collect()
+        };
+        let removed = map(ranges(triangulation.triangle_count()), sides_of);
+        let removed: Vec<HalfEdgeId> = <[Vec<_>]>::concat(&removed);
+        let corners = collect(removed.len(), |quad| quad_across(triangulation, removed[quad]));
         Self { removed, corners }
     }
 
@@ -125,6 +126,12 @@ impl Quadrangulation {
     /// Returns the quads as faces over the vertices of the triangulation. O(n).
     pub fn to_faces(&self) -> Faces {
         Faces::uniform(4, self.corners.as_flattened().iter().map(|vertex| vertex.0).collect())
+    }
+
+    /// Returns the quads as faces and drops the rest. O(n).
+    pub fn into_faces(self) -> Faces {
+        let corners = self.corners.into_flattened();
+        Faces::uniform(4, corners.into_iter().map(|vertex| vertex.0).collect())
     }
 
     /// Carries the attributes of `list` over to the quads; `None` if it has none. O(n).
