@@ -9,7 +9,8 @@
 //!
 //! Paths can be long and many, and all pass one bottleneck, as from one end of a regular tube to
 //! the other. The same triangles are then taken and freed again for every path. So once more has
-//! been visited than a few times the mesh, [`detour`](super::detour) finds all other paths at once.
+//! been visited than a few times the mesh, and each path takes much of it, all other paths are found
+//! at once by a [`detour`](super::detour).
 
 use std::ops::ControlFlow;
 
@@ -25,33 +26,42 @@ const FIRST_SHARE: usize = 32;
 /// Factor by which the share of a tree grows from round to round.
 const GROWTH: usize = 2;
 
-/// Number of visits, in sizes of the mesh, after which the search is given up.
+/// Number of visits, in sizes of the mesh, after which the search may be given up.
 ///
 /// As long as a search is local, 3.2 visits a triangle have sufficed, after random pairings of up
 /// to four million triangles of any kind. Beyond, it is not, and nothing but k n bounds what is
-/// still to come. A detour costs as much as thirty visits of each triangle or so.
+/// still to come.
 const PATIENCE: usize = 4;
+
+/// Paths found in as many visits as there are triangles, at least: else there is a bottleneck.
+const FEWEST_PATHS: usize = 8;
+
+/// Number of visits, in sizes of the mesh, that the paths that are left may take, judged by the last
+/// ones. A detour costs as much as thirty visits of each triangle or so, and far more memory.
+const HOPE: usize = 25;
 
 /// Augments until no path is left.
 ///
-/// At most 7 n visits: one tree may pass the limit by n, and its path and a detour add n each.
+/// If a bottleneck is there from the first path on, at most 7 n visits: one tree may pass the limit
+/// by n, and its path and a detour add n each. In general O(n log k), as n more visits are made only
+/// if the n before have found a share of the paths.
 pub(super) fn augment(
     graph: &DualGraph,
     matching: &mut Matching,
     on_path: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> AugmentationStats {
-    augment_with_patience(PATIENCE * graph.len(), graph, matching, on_path)
+    augment_in_stretches(graph.len(), graph, matching, on_path)
 }
 
-/// Augments like [`augment`], with a detour after `patience` visits of triangles.
-fn augment_with_patience(
-    patience: usize,
+/// Augments like [`augment`], with this number of visits in place of the number of triangles.
+fn augment_in_stretches(
+    stretch: usize,
     graph: &DualGraph,
     matching: &mut Matching,
     on_path: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> AugmentationStats {
     let (forest, stats) = (Forest::new(graph.len()), AugmentationStats::default());
-    let mut search = Search { graph, forest, stats, patience };
+    let mut search = Search { graph, forest, stats, stretch, counted_at: 0, counted: 0 };
     let end = search.run(matching, on_path);
     let Search { forest, mut stats, .. } = search;
     stats.triangles_visited = forest.visited();
@@ -77,8 +87,12 @@ struct Search<'g> {
     graph: &'g DualGraph,
     forest: Forest,
     stats: AugmentationStats,
-    /// Number of visits after which the search is given up.
-    patience: usize,
+    /// Visits after each of which paths are counted.
+    stretch: usize,
+    /// Visits when paths were last counted.
+    counted_at: usize,
+    /// Paths then.
+    counted: usize,
 }
 
 impl Search<'_> {
@@ -101,7 +115,7 @@ impl Search<'_> {
                 if !self.forest.stands(tree) {
                     continue;
                 }
-                if self.forest.visited() > self.patience {
+                if self.is_stretch_over() && self.is_hopeless(&trees) {
                     return End::Impatient;
                 }
                 if self.grow(matching, tree, share, on_path).is_break() {
@@ -115,6 +129,21 @@ impl Search<'_> {
             trees.retain(|&tree| self.forest.stands(tree));
             share = share.saturating_mul(GROWTH);
         }
+    }
+
+    fn is_stretch_over(&self) -> bool {
+        self.forest.visited() - self.counted_at > self.stretch
+    }
+
+    /// Begins another stretch; returns whether a detour is better.
+    fn is_hopeless(&mut self, trees: &[TreeId]) -> bool {
+        let found = self.stats.paths - self.counted;
+        (self.counted_at, self.counted) = (self.forest.visited(), self.stats.paths);
+        if self.counted_at <= PATIENCE * self.stretch {
+            return false;
+        }
+        let left = trees.iter().filter(|&&tree| self.forest.stands(tree)).count() / 2;
+        found < FEWEST_PATHS || left > HOPE * found
     }
 
     /// Grows `tree` by up to `share` triangles.
@@ -211,9 +240,9 @@ mod tests {
             let free = augment(&graph, &mut Matching::empty(graph.len()), &mut || {
                 ControlFlow::Continue(())
             });
-            for patience in [0, 10, graph.len() / 2, graph.len()] {
+            for stretch in [0, 3, graph.len() / 8, graph.len() / 4] {
                 let mut matching = Matching::empty(graph.len());
-                let stats = augment_with_patience(patience, &graph, &mut matching, &mut || {
+                let stats = augment_in_stretches(stretch, &graph, &mut matching, &mut || {
                     ControlFlow::Continue(())
                 });
                 assert!(matching.is_matching_of(&graph));
@@ -222,6 +251,21 @@ mod tests {
             }
         }
         assert!(paths_differed);
+    }
+
+    #[test]
+    fn a_search_goes_on_while_it_finds_paths() {
+        let mut random = Random::stream(2, &["stretches"]);
+        let graph = random_graph(5000, 15_000, &mut random);
+        let augment_in = |stretch| {
+            let mut matching = Matching::empty(graph.len());
+            let go_on = &mut || ControlFlow::Continue(());
+            augment_in_stretches(stretch, &graph, &mut matching, go_on)
+        };
+        let whole = augment_in(usize::MAX);
+        assert!(whole.triangles_visited > (PATIENCE + 4) * 1500, "{whole:?}");
+        assert_eq!(augment_in(1500), whole);
+        assert_ne!(augment_in(4), whole);
     }
 
     /// The dual graph of a prism, and a matching that crosses none of the rings round it.
@@ -250,7 +294,7 @@ mod tests {
             assert_eq!(stats.paths, side as usize);
             assert!(stats.triangles_visited <= 7 * graph.len(), "{side}: {stats:?}");
             // Without the limit every path visits much of the mesh.
-            let patient = augment_with_patience(usize::MAX, &graph, &mut start.clone(), go_on);
+            let patient = augment_in_stretches(usize::MAX, &graph, &mut start.clone(), go_on);
             let least = graph.len() * side as usize / 2;
             assert!(patient.triangles_visited > least, "{side}: {patient:?}");
         }
@@ -262,7 +306,7 @@ mod tests {
         for most in 1..=12 {
             let mut matching = start.clone();
             let mut left = most;
-            let stats = augment_with_patience(0, &graph, &mut matching, &mut || {
+            let stats = augment_in_stretches(0, &graph, &mut matching, &mut || {
                 left -= 1;
                 if left == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             });

@@ -72,8 +72,9 @@ named!(Augmentation, "augmentation", id);
 /// O(k n α) time for k unpaired triangles; 24 bytes a triangle, with `rebuild` about 60 more.
 /// `local` usually visits little more than their neighbourhoods, and takes memory only there.
 ///
-/// After 4 n visits `local` takes its paths from a maximum matching found from nothing: GW's,
-/// O(n log n), if the surface is closed. That is 90 bytes a triangle.
+/// After 4 n visits, if paths lead through a bottleneck, `local` takes the others from a maximum
+/// matching found from nothing: GW's, O(n log n), if the surface is closed. That is 90 bytes a
+/// triangle.
 ///
 /// # Panics
 /// If `matching` is not one of `graph`: in debug builds always, in others if the sizes differ.
