@@ -9,8 +9,8 @@
 //!
 //! Paths can be long and many, and all pass one bottleneck, as from one end of a regular tube to
 //! the other. The same triangles are then taken and freed again for every path. So once more has
-//! been visited than a few times the mesh, and each path takes much of it, all other paths are found
-//! at once by a [`detour`](super::detour).
+//! been visited than a few times the mesh, and each path takes much of it, a
+//! [`detour`](super::detour) finds all other paths at once.
 
 use std::ops::ControlFlow;
 
@@ -36,15 +36,15 @@ const PATIENCE: usize = 4;
 /// Paths found in as many visits as there are triangles, at least: else there is a bottleneck.
 const FEWEST_PATHS: usize = 8;
 
-/// Number of visits, in sizes of the mesh, that the paths that are left may take, judged by the last
-/// ones. A detour costs as much as thirty visits of each triangle or so, and far more memory.
+/// Number of visits, in sizes of the mesh, that the paths left may take, judged by the last ones. A
+/// detour costs as much as thirty visits of each triangle or so, and far more memory.
 const HOPE: usize = 25;
 
 /// Augments until no path is left.
 ///
-/// If a bottleneck is there from the first path on, at most 7 n visits: one tree may pass the limit
-/// by n, and its path and a detour add n each. In general O(n log k), as n more visits are made only
-/// if the n before have found a share of the paths.
+/// Where a bottleneck is met from the first path on, at most 7 n visits: one tree may pass the
+/// limit by n, and its path and a detour add n each. In general O(n log k), as n more visits are
+/// made only if the n before have found a share of the paths.
 pub(super) fn augment(
     graph: &DualGraph,
     matching: &mut Matching,
