@@ -1,4 +1,4 @@
-//! Random closed surfaces of any genus, random lattices, and irregular versions of regular surfaces.
+//! Random closed surfaces of any genus, random lattices, irregular versions of regular surfaces.
 //!
 //! `below(n)` is always a uniform draw from `0..n`; equal draws give equal surfaces.
 
