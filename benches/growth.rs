@@ -1,10 +1,11 @@
 //! Growth with the size of the mesh, on families where something takes long, best of three.
 //!
 //! `cargo bench --bench growth` for 10⁴, 10⁵ and 10⁶ triangles; `-- 3e4 3e5 prism` for these sizes
-//! and the families with this word in their names. Work is counted in triangles and link vertices
-//! visited; times are in nanoseconds. All are divided by the number of triangles. The last line of
-//! a family gives the exponent between the first and the last size: 1 is linear. Those of counts
-//! are exact; those of times include what the caches do, and hold for the machine.
+//! and the families with this word in their names. Work is counted in triangles visited by the
+//! augmentation of the algorithm to the left, and in link vertices visited by `rs`; times are in
+//! nanoseconds. All are divided by the number of triangles. The last line of a family gives the
+//! exponent between the first and the last size: 1 is linear. Those of counts are exact; those of
+//! times include what the caches do, and hold for the machine.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -12,17 +13,21 @@ use std::time::Instant;
 use triquad::irreducible::{Contractor, Order};
 use triquad::mesh::{Format, Mesh};
 use triquad::random::Random;
+use triquad::simplify::Simplifier;
 use triquad::{Algorithm, Converter, Report, Triangulation};
+use triquad_generators::random::Mix;
 use triquad_generators::sculptor::Sculptor;
-use triquad_generators::{Surface, grids, random, worst_cases};
+use triquad_generators::{Surface, grids, organic, random, worst_cases};
 
 const ROUNDS: usize = 3;
 const SIZES: [f64; 3] = [1e4, 1e5, 1e6];
 /// High genus takes time that grows with its square.
 const MOST_OF_HIGH_GENUS: f64 = 1e5;
 
-const COLUMNS: [&str; 11] =
-    ["read", "build", "tq", "ps", "local ps", "visits", "gw", "best", "check", "rs", "links"];
+const COLUMNS: [&str; 12] = [
+    "read", "build", "tq", "visits", "ps", "local ps", "visits", "gw", "best", "check", "rs",
+    "links",
+];
 
 fn main() {
     // Cargo adds an option of its own.
@@ -45,8 +50,13 @@ fn main() {
         }
         if let [(few, first), .., (many, last)] = rows[..] {
             let exponent = |k: usize| 1.0 + (last[k] / first[k]).ln() / (many / few).ln();
-            let exponents = std::array::from_fn(|k| format!("{:.2}", exponent(k)));
-            print_row("exponent", exponents);
+            // None where nothing had to be visited.
+            let cell = |k| Some(exponent(k)).filter(|exponent| exponent.is_finite());
+            let cells = std::array::from_fn(|k| match cell(k) {
+                Some(exponent) => format!("{exponent:.2}"),
+                None => "-".to_owned(),
+            });
+            print_row("exponent", cells);
         }
     }
 }
@@ -60,26 +70,66 @@ const HIGH_GENUS: &str = "tori round a pole: genus n / 14";
 /// A surface of about so many triangles.
 type Make = fn(f64) -> Surface;
 
-const FAMILIES: [(&str, Make); 5] = [
+const FAMILIES: [(&str, Make); 10] = [
     ("prism: every path passes the same rings", |n| {
-        // Thirty times as long as wide.
-        let side = (n / 182.0).sqrt().round().max(1.0) as u32;
+        let side = prism_side(n);
         worst_cases::prism(side, 30 * side)
     }),
-    ("regular sphere", |n| grids::sphere((n / 8.0).sqrt() as u32)),
-    ("irregular sphere", |n| {
-        let mut random = Random::stream(0, &["irregular"]);
-        let regular = grids::sphere((n / 8.0).sqrt() as u32);
-        random::irregular(&regular, 2, &mut |bound| random.below(bound))
+    ("prism with lobes: the same, with blossoms", |n| {
+        let side = prism_side(n);
+        worst_cases::prism_with_lobes(side, 30 * side)
     }),
+    ("regular sphere", sphere),
+    ("irregular sphere", |n| random::irregular(&sphere(n), 2, &mut draws("irregular"))),
     ("regular sphere, numbered at random", |n| {
-        let mut random = Random::stream(0, &["shuffled"]);
-        let mut sculptor = Sculptor::from(&grids::sphere((n / 8.0).sqrt() as u32));
-        sculptor.relabel(&mut |bound| random.below(bound));
+        let mut sculptor = Sculptor::from(&sphere(n));
+        sculptor.relabel(&mut draws("shuffled"));
         sculptor.into_surface()
+    }),
+    ("apollonian: triangles split again and again, numbered at random", |n| {
+        random::random_surface(0, (n / 2.0) as usize, Mix::Splits, &mut draws("apollonian"))
+    }),
+    ("random lattice: a torus with diagonals drawn", |n| {
+        let side = (n / 2.0).sqrt() as u32;
+        random::lattice(side, side, &mut draws("lattice"))
+    }),
+    ("subdivided three times: an irregular sphere", |n| {
+        let coarse = random::irregular(&sphere(n / 64.0), 2, &mut draws("subdivided"));
+        (0..3).fold(coarse, |surface, _| Sculptor::from(&surface).subdivided())
+    }),
+    ("stand-in: genus n / 16, low degrees", |n| {
+        let genus = (n / 16.0) as u32;
+        let fine = organic::surface(genus, 18 * genus, &mut draws("stand-in"));
+        simplified(fine, 6 * genus as usize)
     }),
     (HIGH_GENUS, |n| worst_cases::tori_round_a_pole((n / 14.0) as u32)),
 ];
+
+/// Returns the side of a prism of about `n` triangles that is thirty times as long as wide.
+fn prism_side(n: f64) -> u32 {
+    (n / 182.0).sqrt().round().max(1.0) as u32
+}
+
+fn sphere(n: f64) -> Surface {
+    grids::sphere((n / 8.0).sqrt() as u32)
+}
+
+/// Contracts edges of `surface` until `vertices` are left.
+fn simplified(surface: Surface, vertices: usize) -> Surface {
+    let mesh = Mesh::from_triangles(surface.positions, surface.triangles);
+    let triangulation = Triangulation::build(&mesh).expect("it is a closed surface");
+    let mut simplifier = Simplifier::new(triangulation, mesh.positions());
+    simplifier.reduce_to(vertices).expect("many more edges can be contracted");
+    let (mesh, triangulation) = simplifier.result();
+    let corners = |f| triangulation.corners(f).map(|v| v.index() as u32);
+    let triangles = triangulation.triangles().map(corners).collect();
+    Surface { positions: mesh.positions().to_vec(), triangles }
+}
+
+fn draws(name: &str) -> impl FnMut(u32) -> u32 {
+    let mut random = Random::stream(0, &[name]);
+    move |bound| random.below(bound)
+}
 
 /// Returns what [`COLUMNS`] name.
 fn measure(surface: Surface) -> [f64; COLUMNS.len()] {
@@ -98,6 +148,7 @@ fn measure(surface: Surface) -> [f64; COLUMNS.len()] {
         read,
         1e9 * tq.build_seconds,
         1e9 * tq.total_seconds(),
+        tq.paths.triangles_visited as f64,
         1e9 * ps.pairing_seconds,
         1e9 * ps.augmentation_seconds,
         ps.paths.triangles_visited as f64,

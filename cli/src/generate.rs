@@ -187,11 +187,18 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
     let clock = SystemClock::default();
     let output = Output::create(path).map_err(|error| input::mesh_failure(path, &error))?;
     let status = StatusLine::new("making the mesh");
-    let (made, make_seconds) = clock.time(|| match &cache {
-        Some(cache) => cache.get(recipe),
-        None => recipe.make(),
-    });
-    let mesh = made.map_err(|error| failure(recipe, &error))?;
+    let (kept, read_seconds) = clock.time(|| cache.as_ref()?.kept(recipe));
+    let (mesh, origin) = match kept {
+        Some(mesh) => (mesh, format!("read from the cache in {read_seconds:.3} s")),
+        None => {
+            let (made, seconds) = clock.time(|| match &cache {
+                Some(cache) => cache.get(recipe),
+                None => recipe.make(),
+            });
+            let mesh = made.map_err(|error| failure(recipe, &error))?;
+            (mesh, format!("made in {seconds:.3} s"))
+        }
+    };
     status.say("writing the mesh");
     let shape = Shape::new(&mesh);
     let (written, write_seconds) = clock.time(|| output.write(&mesh));
@@ -199,7 +206,7 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
     drop(status);
     let line = format!(
         "{}: {} vertices, {} triangles, genus {genus}; largest degree {}, angles {:.1} to {:.1} \
-         degrees; made in {make_seconds:.3} s, written in {write_seconds:.3} s",
+         degrees; {origin}, written in {write_seconds:.3} s",
         path.display(),
         mesh.positions().len(),
         mesh.faces().len(),

@@ -1,7 +1,7 @@
 //! `triquad info`.
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::{Law, Mesh, Survey, Triangulation, Violation};
@@ -101,7 +101,10 @@ impl Info {
     fn new(input: String, mesh: &Mesh, repairs: Repairs) -> Self {
         let mut info = match Triangulation::build(mesh) {
             Ok(triangulation) => Self::from_triangulation(input, &triangulation),
-            Err(survey) => Self::from_survey(input, &survey, &Refused::new(mesh, repairs)),
+            Err(survey) => {
+                let refused = Refused::new(mesh, Path::new(&input), repairs);
+                Self::from_survey(input.clone(), &survey, &refused)
+            }
         };
         info.quads = mesh.faces().iter().filter(|face| face.len() == 4).count();
         info.left_out = mesh.left_out().to_vec();

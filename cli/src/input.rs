@@ -206,7 +206,7 @@ pub fn refusal(
     };
     let name = first.law.name();
     let mut remedy = match mesh {
-        Some(mesh) => remedies::Refused::new(mesh, repairs).remedy(&first),
+        Some(mesh) => remedies::Refused::new(mesh, path, repairs).remedy(&first),
         None => remedies::general(first.law, repairs).into(),
     };
     if let Some(other) = other_remedy {

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use triquad::mesh::Faces;
+use triquad::mesh::{Faces, Format};
 use triquad::{Law, Mesh, Survey, Violation};
 
 use crate::input::{self, Repairs};
@@ -12,9 +12,13 @@ use crate::input::{self, Repairs};
 /// A mesh that was read and repaired, and is refused.
 pub struct Refused<'a> {
     mesh: &'a Mesh,
+    /// True if the file does not announce how much is in it, so that its end may be missing.
+    may_be_cut_off: bool,
     repairs: Repairs,
     welding_distance: OnceCell<Option<f64>>,
 }
+
+const CUT_OFF: &str = "if the file was cut off, copy or export it again";
 
 /// Returns what helps against a broken law of a mesh that is not at hand any more.
 pub fn general(law: Law, repairs: Repairs) -> &'static str {
@@ -26,23 +30,48 @@ pub fn general(law: Law, repairs: Repairs) -> &'static str {
 }
 
 impl<'a> Refused<'a> {
-    /// Takes a mesh that was read with `repairs`.
-    pub fn new(mesh: &'a Mesh, repairs: Repairs) -> Self {
-        Self { mesh, repairs, welding_distance: OnceCell::new() }
+    /// Takes a mesh that was read from `path` with `repairs`.
+    pub fn new(mesh: &'a Mesh, path: &Path, repairs: Repairs) -> Self {
+        let may_be_cut_off = matches!(Format::from_path(path), Ok(Format::Obj));
+        Self { mesh, may_be_cut_off, repairs, welding_distance: OnceCell::new() }
     }
 
     /// Returns what helps against a broken law.
     pub fn remedy(&self, violation: &Violation) -> String {
         match violation.law {
+            law @ Law::NotEmpty if self.may_be_cut_off => {
+                format!("{}; {CUT_OFF}", general(law, self.repairs))
+            }
             Law::Triangle => self.for_corners(),
             Law::NoBoundary => match self.welding_distance() {
                 Some(0.0) => "--weld closes it: it joins vertices at equal coordinates".into(),
                 Some(distance) => {
                     format!("--weld {distance:e} closes it: it joins vertices that near")
                 }
-                None => "close the holes".into(),
+                None => self.for_holes(),
             },
             law => general(law, self.repairs).into(),
+        }
+    }
+
+    /// Returns what helps against holes that welding does not close. Vertices without faces are
+    /// the only sign that the file had more of them.
+    fn for_holes(&self) -> String {
+        let mut has_face = vec![false; self.mesh.positions().len()];
+        for &v in self.mesh.faces().corners() {
+            if let Some(has_face) = has_face.get_mut(v as usize) {
+                *has_face = true;
+            }
+        }
+        let idle = has_face.iter().filter(|&&has_face| !has_face).count();
+        match idle {
+            1 if self.may_be_cut_off => {
+                format!("close the holes; a vertex is in no face: {CUT_OFF}")
+            }
+            2.. if self.may_be_cut_off => {
+                format!("close the holes; {idle} vertices are in no face: {CUT_OFF}")
+            }
+            _ => "close the holes".into(),
         }
     }
 
@@ -55,8 +84,8 @@ impl<'a> Refused<'a> {
             0..3 => {
                 let s = if corners == 1 { "" } else { "s" };
                 let end = match first + 1 == faces.len() {
-                    true => " and is the last: if the file was cut off, copy or export it again",
-                    false => "",
+                    true => format!(" and is the last: {CUT_OFF}"),
+                    false => String::new(),
                 };
                 format!("it has {corners} corner{s}{end}; --clean drops degenerate faces")
             }

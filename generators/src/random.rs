@@ -1,8 +1,9 @@
-//! Random closed surfaces of any genus, and irregular versions of regular ones.
+//! Random closed surfaces of any genus, random lattices, irregular versions of regular surfaces.
 //!
 //! `below(n)` is always a uniform draw from `0..n`; equal draws give equal surfaces.
 
 use crate::classic::{octahedron, seven_vertex_torus, tetrahedron};
+use crate::grids::torus;
 use crate::sculptor::{Operation, Sculptor};
 use crate::surface::Surface;
 
@@ -113,11 +114,29 @@ pub fn irregular(surface: &Surface, rounds: usize, below: &mut dyn FnMut(u32) ->
     sculptor.into_surface()
 }
 
+/// [`grids::torus`](crate::grids::torus) with a diagonal drawn for each of its square cells: a
+/// random lattice, with degrees from 4 to 8. `2 · nu · nv` triangles. O(nu · nv).
+///
+/// # Panics
+/// As [`grids::torus`](crate::grids::torus).
+pub fn lattice(nu: u32, nv: u32, below: &mut dyn FnMut(u32) -> u32) -> Surface {
+    let mut surface = torus(nu, nv);
+    let (cells, _) = surface.triangles.as_chunks_mut();
+    for [one, other] in cells {
+        if below(2) == 1 {
+            // The torus cuts each cell a, b, c, d from a to c.
+            let ([a, b, c], d) = (*one, other[2]);
+            [*one, *other] = [[a, b, d], [b, c, d]];
+        }
+    }
+    surface
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::check::{assert_distinct_positions, assert_oriented, degrees};
-    use crate::grids::{sphere, torus};
+    use crate::grids::sphere;
     use crate::testing::draws;
 
     #[test]
@@ -159,6 +178,18 @@ mod tests {
             assert_eq!(stirred.positions, regular.positions);
             let degrees = degrees(&stirred);
             assert!(degrees.contains(&4) && degrees.iter().any(|&degree| degree > 8));
+        }
+    }
+
+    #[test]
+    fn lattices_have_every_degree_from_4_to_8() {
+        for (nu, nv) in [(3, 3), (3, 40), (40, 30)] {
+            let surface = lattice(nu, nv, &mut draws(3));
+            assert_oriented(&surface, 1);
+            assert_eq!(surface.positions, torus(nu, nv).positions);
+            let degrees = degrees(&surface);
+            assert!(degrees.iter().all(|degree| (4..=8).contains(degree)));
+            assert!(nu < 40 || (4..=8).all(|degree| degrees.contains(&degree)));
         }
     }
 

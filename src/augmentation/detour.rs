@@ -28,12 +28,12 @@ pub(super) fn augment(
 
 /// Finds a maximum matching: GW's on closed surfaces, else one that leaves the fewest triangles.
 fn maximum(graph: &DualGraph) -> Matching {
-    gawrychowski_wasylkiewicz(graph).unwrap_or_else(|_| fewest_unpaired(graph).expect(SOLVABLE))
+    gawrychowski_wasylkiewicz(graph).unwrap_or_else(|_| leaving_fewest(graph).expect(SOLVABLE))
 }
 
-const SOLVABLE: &str = "all costs are 0, and any triangle may stay unpaired";
+const SOLVABLE: &str = "all costs are 0, and any triangle may be left over";
 
-fn fewest_unpaired(graph: &DualGraph) -> Result<Matching, SolveError> {
+fn leaving_fewest(graph: &DualGraph) -> Result<Matching, SolveError> {
     let costs = vec![[0; 3]; graph.len()];
     let problem = DualProblem::new(graph, &costs).with_prices(Prices::Equal(1));
     Ok(solve_cubic(&problem, &mut |_| ControlFlow::Continue(()))?.matching())

@@ -290,12 +290,52 @@ mod tests {
             let (graph, start) = prism(side);
             let mut matching = start.clone();
             let stats = augment(&graph, &mut matching, go_on);
-            assert!(matching.certify(&graph).is_ok());
+            assert_rings_are_crossed(side as usize, &graph, matching);
             assert_eq!(stats.paths, side as usize);
             assert!(stats.triangles_visited <= 7 * graph.len(), "{side}: {stats:?}");
             // Without the limit every path visits much of the mesh.
             let patient = augment_in_stretches(usize::MAX, &graph, &mut start.clone(), go_on);
             let least = graph.len() * side as usize / 2;
+            assert!(patient.triangles_visited > least, "{side}: {patient:?}");
+        }
+    }
+
+    /// Asserts that `matching` is perfect, and that at least `side` pairs cross each ring of edges
+    /// round a prism of length `30 · side`.
+    fn assert_rings_are_crossed(side: usize, graph: &DualGraph, matching: Matching) {
+        let matching = matching.certify(graph).expect("it is perfect");
+        let layers = 30 * side;
+        let ends = graph.len() - 6 * side * layers;
+        let layer = |f: TriangleId| match f.index().checked_sub(6 * side * layers) {
+            None => 1 + f.index() / (6 * side),
+            Some(at) if at < ends / 2 => 0,
+            Some(_) => layers + 1,
+        };
+        let mut crossings = vec![0; layers + 1];
+        for (f, g) in matching.pairs() {
+            let [below, above] = [layer(f).min(layer(g)), layer(f).max(layer(g))];
+            crossings[below..above].iter_mut().for_each(|pairs| *pairs += 1);
+        }
+        assert!(crossings.iter().all(|&pairs| pairs >= side), "{side}: {crossings:?}");
+    }
+
+    #[test]
+    fn lobes_widen_no_bottleneck_and_do_not_matter_to_the_limit() {
+        let go_on = &mut || ControlFlow::Continue(());
+        for (side, length) in [(12, 360), (24, 720)] {
+            let surface = worst_cases::prism_with_lobes(side, length);
+            let graph = DualGraph::new(&triangulation(&surface));
+            let side = side as usize;
+            let mut start = Matching::empty(graph.len());
+            for f in (0..6 * side * length as usize).step_by(2) {
+                start.pair(TriangleId::new(f), TriangleId::new(f + 1));
+            }
+            let mut matching = start.clone();
+            let stats = augment(&graph, &mut matching, go_on);
+            assert_rings_are_crossed(side, &graph, matching);
+            assert!(stats.triangles_visited <= 7 * graph.len(), "{side}: {stats:?}");
+            let patient = augment_with_patience(usize::MAX, &graph, &mut start, go_on);
+            let least = graph.len() * side / 2;
             assert!(patient.triangles_visited > least, "{side}: {patient:?}");
         }
     }

@@ -147,7 +147,7 @@ impl<'a> Converter<'a> {
 
     /// Sets whether surfaces may have a boundary or be one-sided.
     ///
-    /// The fewest triangles stay unpaired, provably. Some algorithms refuse such surfaces; see
+    /// The fewest triangles are left over, provably. Some algorithms refuse such surfaces; see
     /// [`Algorithm::works_on_open`].
     #[must_use]
     pub fn open(self, open: bool) -> Self {

@@ -12,7 +12,7 @@ use super::report::Report;
 use crate::augmentation::make_maximum;
 use crate::dual::{DualGraph, Matching};
 use crate::mesh::Mesh;
-use crate::pairing::{Algorithm, Proof, best_matching, fewest_unpaired};
+use crate::pairing::{Algorithm, Proof, best_matching, fewest_left_over};
 use crate::quadrangulation::quality::Quality;
 use crate::quadrangulation::{CheckReport, MixedCheck, MixedFaces, SharpEdges, check_mixed_faces};
 use crate::random::Random;
@@ -120,7 +120,7 @@ impl Converter<'_> {
             report.stopped = true;
             return Err(ConvertError::Stopped(Box::new(report.clone())));
         }
-        let (proved, seconds) = self.time(|_| fewest_unpaired(dual));
+        let (proved, seconds) = self.time(|_| fewest_left_over(dual));
         report.check_seconds = seconds;
         if proved? != matching.unpaired_count() {
             return Err(ConvertError::NotFewest);

@@ -56,13 +56,13 @@ pub fn best_matching(
     Ok((matching, proof))
 }
 
-/// Returns the number of triangles that every pairing leaves at least, proved by a barrier.
+/// Returns the number of triangles left over at least, whatever the pairing, proved by a barrier.
 ///
 /// O(n) beyond the search for a pairing that leaves so few.
 ///
 /// # Errors
 /// The barrier does not prove it: a mistake of this library.
-pub fn fewest_unpaired(dual: &DualGraph) -> Result<usize, ProofError> {
+pub fn fewest_left_over(dual: &DualGraph) -> Result<usize, ProofError> {
     let costs = vec![[0; 3]; dual.len()];
     let fewest = Objective::new(costs, EdgeSet::default(), Keeping::AsManyAsCan, Leftover::Fewest);
     let found = best_matching(dual, fewest, &mut |_| ControlFlow::Continue(()));

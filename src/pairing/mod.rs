@@ -31,7 +31,7 @@
 //! assert_eq!(pairing::eager_rescue(&graph).unpaired_count(), 0);
 //! let cubic = pairing::gawrychowski_wasylkiewicz(&graph).expect("3-regular and bridgeless");
 //! assert_eq!(cubic.unpaired_count(), 0);
-//! assert_eq!(pairing::fewest_unpaired(&graph).expect("the proof holds"), 0);
+//! assert_eq!(pairing::fewest_left_over(&graph).expect("the proof holds"), 0);
 //! # Ok::<(), Box<Survey>>(())
 //! ```
 //!
@@ -70,7 +70,7 @@ mod simple_greedy;
 mod velho;
 
 pub use algorithm::Algorithm;
-pub use best::{best, best_matching, fewest_unpaired};
+pub use best::{best, best_matching, fewest_left_over};
 pub use cubic::{diks_stanczyk, gawrychowski_wasylkiewicz};
 pub use eager_rescue::eager_rescue;
 pub use initial::InitialPairing;

@@ -4,15 +4,18 @@
 //! | fence | meaning here |
 //! |---|---|
 //! | `sh` | run by bash in an empty folder with `triquad` and folders of a clone at hand |
-//! | `text output` | printed by the block before it; `…` stands for anything, blanks do not matter |
+//! | `text output` | printed by the block before it; `…`: anything in a line; alone: any lines |
 //! | `csv NAME`, `toml NAME` | a file of that name, there for later blocks |
 //!
 //! Other fences are not run. Blocks of one document share a folder.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+use triquad::Algorithm;
 
 /// A fenced block of a document.
 struct Block {
@@ -131,20 +134,31 @@ fn shell(script: &str, folder: &Path) -> Result<String, String> {
     if output.status.success() { Ok(printed) } else { Err(format!("{script}\n{printed}")) }
 }
 
-/// Whether `printed` is `expected`, in which `…` stands for anything.
+/// Returns whether `printed` is `expected`, in which `…` stands for anything within a line, and a
+/// line of it alone for any lines. The number of blanks and empty lines do not matter.
 fn shows(expected: &str, printed: &str) -> bool {
-    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let (expected, printed) = (words(expected), words(printed));
-    let mut parts = expected.split('…');
-    let Some(mut rest) = printed.strip_prefix(parts.next().unwrap_or_default()) else {
-        return false;
+    let lines = |text: &str| {
+        let words = text.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "));
+        words.filter(|line| !line.is_empty()).collect::<Vec<_>>()
     };
-    let mut last = "";
-    for part in parts {
-        let Some(at) = rest.find(part) else { return false };
-        (rest, last) = (&rest[at + part.len()..], part);
+    is_like(&lines(expected), &lines(printed), &"…".to_owned(), &|expected, printed| {
+        let [expected, printed] = [expected, printed].map(|line| line.chars().collect::<Vec<_>>());
+        is_like(&expected, &printed, &'…', &|one, other| one == other)
+    })
+}
+
+/// Returns whether `items` are those of `pattern`, in which `any` stands for any number of them.
+fn is_like<T: PartialEq>(pattern: &[T], items: &[T], any: &T, is: &dyn Fn(&T, &T) -> bool) -> bool {
+    match (pattern, items) {
+        ([], _) => items.is_empty(),
+        ([first, rest @ ..], _) if first == any => {
+            (0..=items.len()).any(|skipped| is_like(rest, &items[skipped..], any, is))
+        }
+        ([first, rest @ ..], [item, others @ ..]) => {
+            is(first, item) && is_like(rest, others, any, is)
+        }
+        (_, []) => false,
     }
-    rest.is_empty() || (last.is_empty() && expected.ends_with('…'))
 }
 
 /// An empty folder with links to what a clone has.
@@ -158,9 +172,10 @@ fn clone() -> tempfile::TempDir {
 
 #[test]
 fn every_command_in_the_documents_works() {
-    for DocumentRun { path, failure, .. } in runs() {
-        assert!(failure.is_none(), "{}: {}", path.display(), failure.as_deref().unwrap_or(""));
-    }
+    let failure =
+        |run: &DocumentRun| Some(format!("{}: {}", run.path.display(), run.failure.as_ref()?));
+    let failures: Vec<_> = runs().iter().filter_map(failure).collect();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
     let commands: usize = runs().iter().map(|run| run.printed.len()).sum();
     assert!(commands > 10, "only {commands} blocks");
 }
@@ -179,18 +194,25 @@ fn a_wrong_command_or_a_wrong_output_in_a_document_is_found() {
 }
 
 #[test]
-fn dots_in_an_expected_output_stand_for_anything() {
-    assert!(shows("a b", "a\n  b\n"));
+fn dots_in_an_expected_output_stand_for_anything_within_a_line_or_for_lines() {
+    assert!(shows("a b", "a  b\n\n"));
+    assert!(!shows("a b", "a\n  b\n"));
     assert!(shows("a … c", "a b c"));
     assert!(shows("a …", "a b c"));
     assert!(shows("… c", "a b c"));
+    assert!(shows("a … c … e", "a b c d c e"));
     assert!(!shows("a", "a b"));
     assert!(!shows("b …", "a b c"));
     assert!(!shows("… b", "a b c"));
+    assert!(!shows("a … c", "a b\nb c"));
+    assert!(!shows("a …\ne", "a b\nc\ne"));
+    assert!(shows("a\n…\ne", "a\nb\nc\ne"));
+    assert!(shows("…\ne …\n…", "a\ne\ne f"));
+    assert!(!shows("…\nc\n…", "a\nb\nd c\n"));
 }
 
 /// Returns the words of `text` that begin with two dashes.
-fn long_options(text: &str) -> std::collections::BTreeSet<String> {
+fn long_options(text: &str) -> BTreeSet<String> {
     let is_part = |c: char| c.is_ascii_lowercase() || c == '-';
     let option = |rest: &str| rest.split(|c| !is_part(c)).next().unwrap_or_default().to_owned();
     let found = text.match_indices("--").map(|(at, _)| option(&text[at..]));
@@ -244,7 +266,7 @@ fn every_algorithm_is_named_where_algorithms_are_listed() {
     let mut missing = Vec::new();
     for file in lists.into_iter().chain(["CHANGELOG.md", "python/triquad/_convert.py"]) {
         let text = std::fs::read_to_string(root().join(file)).unwrap();
-        for id in triquad::Algorithm::ALL.map(triquad::Algorithm::id) {
+        for id in Algorithm::ALL.map(Algorithm::id) {
             let named =
                 text.contains(&format!("`{id}`")) || text.contains(&format!("--algorithm {id}`"));
             if !named {
@@ -253,6 +275,39 @@ fn every_algorithm_is_named_where_algorithms_are_listed() {
         }
     }
     assert!(missing.is_empty(), "lists of algorithms that lack one: {missing:?}");
+}
+
+/// Returns the ids of algorithms that are words of `text`.
+fn algorithms_in(text: &str) -> BTreeSet<&'static str> {
+    let words: BTreeSet<&str> = text.split(|c: char| !c.is_ascii_lowercase()).collect();
+    Algorithm::ALL.map(Algorithm::id).into_iter().filter(|id| words.contains(id)).collect()
+}
+
+#[test]
+fn lists_of_what_open_works_with_are_those_of_the_algorithms() {
+    let (open, closed): (Vec<_>, Vec<_>) =
+        Algorithm::ALL.into_iter().partition(|algorithm| algorithm.works_on_open());
+    let [open, closed] = [open, closed].map(|list| list.into_iter().map(Algorithm::id).collect());
+    let file = |name: &str| std::fs::read_to_string(root().join(name)).unwrap();
+    // Each list, and what stands before it and behind it.
+    let lists = [
+        ("--help", help(&["convert"]), "written as triangles. For ", "\n\n", &open),
+        ("docs/cli.md", file("docs/cli.md"), "triangles are left over. For ", "|\n", &open),
+        ("docs/convert.md", file("docs/convert.md"), "\n- For ", ". ", &open),
+        ("docs/convert.md", file("docs/convert.md"), "`velho`. ", " need closed", &closed),
+        (
+            "python/triquad/_convert.py",
+            file("python/triquad/_convert.py"),
+            "one-sided ones. The fewest triangles are left over.",
+            "only.",
+            &open,
+        ),
+    ];
+    for (name, text, before, behind, expected) in lists {
+        let list = text.split_once(before).and_then(|(_, rest)| rest.split_once(behind));
+        let (list, _) = list.unwrap_or_else(|| panic!("{name}: no list behind {before:?}"));
+        assert_eq!(algorithms_in(list), *expected, "{name}: {list}");
+    }
 }
 
 /// Returns the targets of the links and pictures of a document that are files.

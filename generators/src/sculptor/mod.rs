@@ -14,7 +14,7 @@ mod twins;
 mod tests;
 
 use crate::surface::Surface;
-use half_edges::{HalfEdge, next, previous};
+use half_edges::{HalfEdge, previous};
 
 pub use half_edges::Sculptor;
 
@@ -79,8 +79,7 @@ impl Sculptor {
     /// If the half-edges no longer fit a `u32`.
     pub fn split_edge(&mut self, half_edge: u32) {
         let h = self.half_edge(half_edge);
-        let [a, b] = [h, next(h)].map(|h| self.position(h));
-        let middle = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
+        let middle = self.middle(h);
         // A vertex beside the edge, then the edge flipped towards it: legal, because the new
         // vertex has no neighbours but the corners of its face.
         self.insert_vertex(h, middle);
@@ -153,6 +152,29 @@ impl Sculptor {
     /// A copy of the surface as plain arrays. O(n).
     pub fn surface(&self) -> Surface {
         self.clone().into_surface()
+    }
+
+    /// The surface with each face cut in four at the middles of its edges. Old vertices keep their
+    /// numbers and degrees, new ones follow and have degree 6. O(n).
+    ///
+    /// # Panics
+    /// If the vertices of the result do not fit a `u32`.
+    pub fn subdivided(&self) -> Surface {
+        let mut positions = self.positions.clone();
+        let mut middle = vec![0; self.half_edges.len()];
+        for h in (0..middle.len()).filter(|&h| h < self.twin(h)) {
+            let new = u32::try_from(positions.len()).expect("the vertices of a surface fit a u32");
+            [middle[h], middle[self.twin(h)]] = [new; 2];
+            positions.push(self.middle(h));
+        }
+        let cut = |first: usize| {
+            let sides = [first, first + 1, first + 2];
+            let at_corner = |h: usize| [self.origin(h), middle[h], middle[previous(h)]];
+            let [a, b, c] = sides.map(at_corner);
+            [a, b, c, sides.map(|h| middle[h])]
+        };
+        let triangles = (0..self.half_edges.len()).step_by(3).flat_map(cut).collect();
+        Surface { positions, triangles }
     }
 
     /// The surface as plain arrays. O(n).

@@ -34,6 +34,12 @@ impl Sculptor {
         self.positions[self.origin(h) as usize]
     }
 
+    /// The middle of the edge of `h`.
+    pub(super) fn middle(&self, h: usize) -> [f64; 3] {
+        let [a, b] = [h, next(h)].map(|h| self.position(h));
+        [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]))
+    }
+
     /// The centroid of the face of `h`.
     pub(super) fn centroid(&self, h: usize) -> [f64; 3] {
         let [a, b, c] = [h, next(h), previous(h)].map(|h| self.position(h));

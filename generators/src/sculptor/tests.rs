@@ -1,7 +1,7 @@
 //! Every operation against its definition on plain sets of triangles.
 
 use super::*;
-use crate::check::{assert_oriented, degrees, directed_edges};
+use crate::check::{assert_embedded, assert_oriented, degrees, directed_edges, signed_volume};
 use crate::classic::{octahedron, seven_vertex_torus, tetrahedron};
 use crate::grids::{sphere, torus};
 use crate::testing::draws;
@@ -76,6 +76,30 @@ fn an_edge_split_joins_the_middle_to_the_four_corners_around() {
         assert_eq!(degrees, [4, 4, 4, 4, 5, 5]);
         assert_eq!(surface.positions[6].iter().filter(|x| x.abs() == 0.5).count(), 2);
     }
+}
+
+#[test]
+fn subdivision_keeps_old_vertices_and_adds_vertices_of_degree_6() {
+    for (start, genus) in [(tetrahedron(), 0), (seven_vertex_torus(), 1), (torus(4, 3), 1)] {
+        let mut below = draws(genus);
+        let mut sculptor = Sculptor::from(&start);
+        (0..30).for_each(|_| sculptor.apply(some_operation(&mut below)));
+        let (coarse, fine) = (sculptor.surface(), sculptor.subdivided());
+        assert_oriented(&fine, genus as usize);
+        assert_eq!(fine.triangles.len(), 4 * coarse.triangles.len());
+        let old = coarse.positions.len();
+        assert_eq!(fine.positions[..old], coarse.positions);
+        assert_eq!(degrees(&fine)[..old], degrees(&coarse));
+        assert!(degrees(&fine)[old..].iter().all(|&degree| degree == 6));
+    }
+}
+
+#[test]
+fn subdivision_of_a_flat_surface_stays_within_it() {
+    let fine = Sculptor::from(&tetrahedron()).subdivided();
+    assert_embedded(&fine);
+    let [before, after] = [tetrahedron(), fine].map(|surface| signed_volume(&surface));
+    assert!((after / before - 1.0).abs() < 1e-15);
 }
 
 #[test]

@@ -26,7 +26,12 @@ impl Cache {
         Self { folder: folder.into() }
     }
 
-    /// Returns the mesh of `recipe`, read if it is there, else made and kept.
+    /// Returns the mesh of `recipe` if it is kept. What is damaged, or another mesh, is not.
+    pub fn kept(&self, recipe: &Recipe) -> Option<Mesh> {
+        if recipe.is_costly() { sealed::read(&self.file(recipe)) } else { None }
+    }
+
+    /// Returns the mesh of `recipe`, read if it is kept, else made and kept.
     ///
     /// Of the papers' hierarchies, every mesh passed on the way to a smaller one is kept too.
     ///
@@ -36,8 +41,7 @@ impl Cache {
         if !recipe.is_costly() {
             return recipe.make();
         }
-        // What is damaged, or another mesh, is made anew.
-        if let Some(list) = sealed::read(&self.file(recipe)) {
+        if let Some(list) = self.kept(recipe) {
             return Ok(list);
         }
         // Before the work starts, so that it is not in vain.

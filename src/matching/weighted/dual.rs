@@ -25,7 +25,7 @@ impl<'a, C: Copy + Into<i128>> DualProblem<'a, C> {
         Self { graph, costs, prices: Prices::None, locks: &[] }
     }
 
-    /// Allows triangles to stay unpaired, each at a price.
+    /// Allows triangles to be left over, each at a price.
     ///
     /// # Panics
     /// If prices are given one by one and are not as many as triangles.

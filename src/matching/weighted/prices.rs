@@ -1,6 +1,6 @@
 //! Prices of nodes that may stay unpaired.
 
-/// Prices of leaving triangles or nodes unpaired.
+/// Prices of triangles left over, or of nodes left unpaired.
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Prices<'a, C> {
     /// Every node must be paired.

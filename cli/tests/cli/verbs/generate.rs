@@ -42,11 +42,21 @@ fn boxes_of_the_papers_kind_are_made_to_order() {
 fn stand_ins_are_kept_in_the_cache() {
     let workshop = Workshop::new();
     let wanted = "generate stand-in --vertices 700 --genus 3 --cache kept";
+    let (made, kept) = ("degrees; made in ", "degrees; read from the cache in ");
     // Each mesh has a seal beside it.
-    workshop.succeed(&format!("{wanted} -o one.ply"));
+    let line = workshop.succeed(&format!("{wanted} -o one.ply"));
+    assert_contains(&line, &[made], "a mesh that is new");
+    let files: Vec<_> = workshop.path("kept").read_dir().unwrap().map(Result::unwrap).collect();
+    assert_eq!(files.len(), 2);
+    let line = workshop.succeed(&format!("{wanted} --seed 0 -o same.ply"));
+    assert_contains(&line, &[kept], "a mesh that is kept");
     assert_eq!(workshop.path("kept").read_dir().unwrap().count(), 2);
-    workshop.succeed(&format!("{wanted} --seed 0 -o same.ply"));
-    assert_eq!(workshop.path("kept").read_dir().unwrap().count(), 2);
+    let mesh =
+        files.iter().map(|file| file.path()).find(|path| path.extension() == Some("ply".as_ref()));
+    std::fs::write(mesh.unwrap(), "damaged").unwrap();
+    let line = workshop.succeed(&format!("{wanted} -o again.ply"));
+    assert_contains(&line, &[made], "a mesh that was damaged");
+    assert_eq!(workshop.get("one.ply"), workshop.get("again.ply"));
     workshop.succeed(&format!("{wanted} --seed 1 -o other.ply"));
     assert_eq!(workshop.get("one.ply"), workshop.get("same.ply"));
     assert_ne!(workshop.get("one.ply"), workshop.get("other.ply"));

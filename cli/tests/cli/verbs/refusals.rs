@@ -1,5 +1,7 @@
 //! Input that is refused, with the reason.
 
+use std::collections::BTreeSet;
+
 use super::meshes::{
     CUBE, TETRAHEDRON, TETRAHEDRON_OFF, ascii_ply, bytes_of, tetrahedron_of, truncated_ascii_stl,
     truncated_binary_stl, truncated_gzip, without_end,
@@ -150,6 +152,71 @@ fn bad_input_is_refused_with_place_law_and_remedy() {
         assert_told(&workshop.fail(&format!("check out.obj --against {file}"), 2));
         assert_contains(&workshop.fail(&format!("info {file}"), 2), &[file], file);
     }
+}
+
+/// Returns what precedes each line of `text` but the first, as long as that is less than `whole`.
+fn cuts(text: &str, whole: usize) -> impl Iterator<Item = &str> {
+    let ends = text.match_indices('\n').map(|(at, _)| at + 1);
+    ends.take_while(move |&end| end < whole).map(|end| &text[..end])
+}
+
+/// A file that is cut off in the midst of a line is found to be wrong there. One that ends with a
+/// whole line lacks what it announces.
+#[test]
+fn text_files_that_end_too_early_at_the_end_of_a_line_are_truncated() {
+    let off = TETRAHEDRON_OFF.to_owned();
+    let ply = ascii_ply("3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    let mut stl = String::from("solid tetrahedron\n");
+    for corners in [["0 0 0", "0 1 0", "1 0 0"], ["0 0 0", "1 0 0", "0 0 1"]] {
+        stl += "facet normal 0 0 1\nouter loop\n";
+        corners.iter().for_each(|corner| stl += &format!("vertex {corner}\n"));
+        stl += "endloop\nendfacet\n";
+    }
+    stl += "endsolid tetrahedron\n";
+    let workshop = Workshop::new();
+    for (file, text) in [("in.off", off), ("in.ply", ply), ("in.stl", stl)] {
+        for cut in cuts(&text, text.len()) {
+            workshop.put(file, cut);
+            let says = ["end of file: truncated", "copy or export the file again"];
+            assert_contains(&workshop.fail(&format!("convert {file}"), 2), &says, cut);
+            assert_contains(&workshop.fail(&format!("info {file}"), 2), &says, cut);
+        }
+    }
+}
+
+/// OBJ files announce nothing: vertices that are in no face are the only sign of missing ones.
+#[test]
+fn obj_files_that_may_be_cut_off_get_a_hint() {
+    const HINT: &str = "if the file was cut off, copy or export it again";
+    let text = String::from_utf8(bytes_of(&grids::sphere(3), Format::Obj)).unwrap();
+    let workshop = Workshop::new();
+    let mut advice = BTreeSet::new();
+    for cut in cuts(&text, text.len()) {
+        let of = |keyword: &'static str| cut.lines().filter_map(move |at| at.strip_prefix(keyword));
+        let used: BTreeSet<&str> = of("f ").flat_map(str::split_whitespace).collect();
+        let kind = match (of("f ").count(), of("v ").count() - used.len()) {
+            (0, _) => format!("exported with faces; {HINT}"),
+            (_, 0) => "close the holes; --open".into(),
+            (_, 1) => format!("close the holes; a vertex is in no face: {HINT}"),
+            (_, idle) => format!("close the holes; {idle} vertices are in no face: {HINT}"),
+        };
+        workshop.put("in.obj", cut);
+        assert_contains(&workshop.fail("convert in.obj", 2), &[&kind], cut);
+        let remedy = kind.trim_end_matches("; --open");
+        let violations = workshop.json("info in.obj --json", 2)["violations"].to_string();
+        assert_contains(&violations, &[remedy], cut);
+        advice.insert(kind.replace(|c: char| c.is_ascii_digit(), ""));
+    }
+    assert_eq!(advice.len(), 4, "{advice:?}");
+}
+
+/// What announces its vertices and faces is whole, and vertices without faces are no sign.
+#[test]
+fn open_meshes_in_other_files_get_no_hint() {
+    let workshop = Workshop::new();
+    workshop.put("in.off", "OFF\n4 1 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n");
+    let line = workshop.fail("convert in.off", 2);
+    assert!(line.contains("close the holes; --open"), "{line}");
 }
 
 #[test]
