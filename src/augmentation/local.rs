@@ -334,7 +334,7 @@ mod tests {
             let stats = augment(&graph, &mut matching, go_on);
             assert_rings_are_crossed(side, &graph, matching);
             assert!(stats.triangles_visited <= 7 * graph.len(), "{side}: {stats:?}");
-            let patient = augment_with_patience(usize::MAX, &graph, &mut start, go_on);
+            let patient = augment_in_stretches(usize::MAX, &graph, &mut start, go_on);
             let least = graph.len() * side / 2;
             assert!(patient.triangles_visited > least, "{side}: {patient:?}");
         }

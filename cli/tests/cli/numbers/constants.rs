@@ -52,6 +52,7 @@ pub const CONSTANTS: &[Constant] = &[
         "src/matching/weighted/limits.rs",
         "divided: 1 << 18",
     ),
+    constant("docs/performance.md", "90", "src/augmentation/mod.rs", "90 bytes a"),
     constant("docs/performance.md", "2", "cli/src/huge_pages.rs", "2 << 20"),
     constant("docs/python.md", "3.10", "python/pyproject.toml", "requires-python = \">=3.10\""),
     constant("docs/python.md", "500", "python/tests/test_random.py", "RANDOM = 500"),
