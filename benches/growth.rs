@@ -98,7 +98,7 @@ const FAMILIES: [(&str, Make); 10] = [
         (0..3).fold(coarse, |surface, _| Sculptor::from(&surface).subdivided())
     }),
     ("stand-in: genus n / 16, low degrees", |n| {
-        let genus = (n / 16.0) as u32;
+        let genus = (n / 16.0).round() as u32;
         let fine = organic::surface(genus, 18 * genus, &mut draws("stand-in"));
         simplified(fine, 6 * genus as usize)
     }),
