@@ -98,7 +98,7 @@ fn special_surfaces_are_reduced_as_far_as_they_go() {
             "seven-vertex torus" => Some(7),
             "two components" => None,
             "tetrahedra" => Some(8),
-            "long thin tube" | "random lattice" | "tori round a pole" => None,
+            "long thin tube" | "tori round a pole" => None,
             _ if name.ends_with("torus") => None,
             _ => Some(4),
         };

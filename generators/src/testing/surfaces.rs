@@ -1,7 +1,7 @@
 //! Small surfaces of many kinds.
 
 use super::draws::draws;
-use crate::random::{Mix, lattice, random_surface};
+use crate::random::{self, Mix, random_surface};
 use crate::sculptor::Sculptor;
 use crate::surface::Surface;
 use crate::{classic, grids, worst_cases};
@@ -34,7 +34,7 @@ pub fn special_surfaces() -> Vec<(&'static str, Surface)> {
         ("prism", worst_cases::prism(4, 9)),
         ("prism with lobes", worst_cases::prism_with_lobes(4, 9)),
         ("tori round a pole", worst_cases::tori_round_a_pole(9)),
-        ("random lattice", lattice(8, 9, &mut draws(1))),
+        ("random torus", random::torus(8, 9, &mut draws(1))),
         ("subdivided torus", Sculptor::from(&classic::seven_vertex_torus()).subdivided()),
         ("two components", beside(&grids::sphere(3), &grids::torus(5, 4))),
         ("tetrahedra", beside(&classic::tetrahedron(), &classic::tetrahedron())),
