@@ -89,16 +89,16 @@ const FAMILIES: [(&str, Make); 10] = [
     ("apollonian: triangles split again and again, numbered at random", |n| {
         random::random_surface(0, (n / 2.0) as usize, Mix::Splits, &mut draws("apollonian"))
     }),
-    ("random lattice: a torus with diagonals drawn", |n| {
+    ("random torus: a grid with diagonals drawn", |n| {
         let side = (n / 2.0).sqrt() as u32;
-        random::lattice(side, side, &mut draws("lattice"))
+        random::torus(side, side, &mut draws("torus"))
     }),
     ("subdivided three times: an irregular sphere", |n| {
         let coarse = random::irregular(&sphere(n / 64.0), 2, &mut draws("subdivided"));
         (0..3).fold(coarse, |surface, _| Sculptor::from(&surface).subdivided())
     }),
     ("stand-in: genus n / 16, low degrees", |n| {
-        let genus = (n / 16.0) as u32;
+        let genus = (n / 16.0).round() as u32;
         let fine = organic::surface(genus, 18 * genus, &mut draws("stand-in"));
         simplified(fine, 6 * genus as usize)
     }),

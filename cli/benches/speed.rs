@@ -32,6 +32,8 @@ const VARIANTS: [&str; 3] = ["lemon_greedydense", "lemon_dense", "lemon_run"];
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 fn main() -> Result<()> {
+    // Cargo starts in the folder of the crate; files are named from that of the repository.
+    std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))?;
     let folder = tempfile::tempdir()?;
     let meshes = match std::env::var("MESHES") {
         Ok(named) if !named.trim().is_empty() => {
@@ -141,7 +143,7 @@ fn petgraph_seconds(path: &Path) -> Result<f64> {
     Ok(seconds)
 }
 
-/// What the tool tells of `verb` on the mesh by `algorithm`.
+/// Runs `verb` on the mesh by `algorithm`; returns its statistics.
 fn run(verb: &str, path: &Path, algorithm: &str) -> Result<Value> {
     let mut command = Command::new(env!("CARGO_BIN_EXE_triquad"));
     let output =

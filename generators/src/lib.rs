@@ -5,7 +5,7 @@
 //! * [`grids`]: regular spheres and tori of any size;
 //! * [`organic`]: smooth, irregular shapes of any genus;
 //! * [`sculptor`]: small edits that keep a closed surface valid, fit for property tests;
-//! * [`random`]: random surfaces of any genus, random lattices, irregular versions of regular ones;
+//! * [`random`]: random surfaces of any genus, tori, and irregular versions of regular surfaces;
 //! * [`worst_cases`]: surfaces on which some algorithms take longer than elsewhere;
 //! * `testing` (feature `testing`): what the tests of several crates share.
 //!

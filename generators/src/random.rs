@@ -1,9 +1,9 @@
-//! Random closed surfaces of any genus, random lattices, irregular versions of regular surfaces.
+//! Random closed surfaces of any genus, tori of random degrees, irregular versions of regular ones.
 //!
 //! `below(n)` is always a uniform draw from `0..n`; equal draws give equal surfaces.
 
 use crate::classic::{octahedron, seven_vertex_torus, tetrahedron};
-use crate::grids::torus;
+use crate::grids;
 use crate::sculptor::{Operation, Sculptor};
 use crate::surface::Surface;
 
@@ -114,13 +114,12 @@ pub fn irregular(surface: &Surface, rounds: usize, below: &mut dyn FnMut(u32) ->
     sculptor.into_surface()
 }
 
-/// [`grids::torus`](crate::grids::torus) with a diagonal drawn for each of its square cells: a
-/// random lattice, with degrees from 4 to 8. `2 · nu · nv` triangles. O(nu · nv).
+/// [`grids::torus`] with the diagonal of each square cell drawn: degrees from 4 to 8. O(nu · nv).
 ///
 /// # Panics
-/// As [`grids::torus`](crate::grids::torus).
-pub fn lattice(nu: u32, nv: u32, below: &mut dyn FnMut(u32) -> u32) -> Surface {
-    let mut surface = torus(nu, nv);
+/// As [`grids::torus`].
+pub fn torus(nu: u32, nv: u32, below: &mut dyn FnMut(u32) -> u32) -> Surface {
+    let mut surface = grids::torus(nu, nv);
     let (cells, _) = surface.triangles.as_chunks_mut();
     for [one, other] in cells {
         if below(2) == 1 {
@@ -136,7 +135,6 @@ pub fn lattice(nu: u32, nv: u32, below: &mut dyn FnMut(u32) -> u32) -> Surface {
 mod tests {
     use super::*;
     use crate::check::{assert_distinct_positions, assert_oriented, degrees};
-    use crate::grids::sphere;
     use crate::testing::draws;
 
     #[test]
@@ -172,7 +170,7 @@ mod tests {
 
     #[test]
     fn irregular_surfaces_keep_vertices_and_genus() {
-        for (regular, genus) in [(sphere(12), 0), (torus(20, 15), 1)] {
+        for (regular, genus) in [(grids::sphere(12), 0), (grids::torus(20, 15), 1)] {
             let stirred = irregular(&regular, 2, &mut draws(5));
             assert_oriented(&stirred, genus);
             assert_eq!(stirred.positions, regular.positions);
@@ -182,11 +180,11 @@ mod tests {
     }
 
     #[test]
-    fn lattices_have_every_degree_from_4_to_8() {
+    fn tori_have_every_degree_from_4_to_8() {
         for (nu, nv) in [(3, 3), (3, 40), (40, 30)] {
-            let surface = lattice(nu, nv, &mut draws(3));
+            let surface = torus(nu, nv, &mut draws(3));
             assert_oriented(&surface, 1);
-            assert_eq!(surface.positions, torus(nu, nv).positions);
+            assert_eq!(surface.positions, grids::torus(nu, nv).positions);
             let degrees = degrees(&surface);
             assert!(degrees.iter().all(|degree| (4..=8).contains(degree)));
             assert!(nu < 40 || (4..=8).all(|degree| degrees.contains(&degree)));
@@ -195,6 +193,6 @@ mod tests {
 
     #[test]
     fn no_rounds_change_nothing() {
-        assert_eq!(irregular(&sphere(4), 0, &mut draws(5)), sphere(4));
+        assert_eq!(irregular(&grids::sphere(4), 0, &mut draws(5)), grids::sphere(4));
     }
 }

@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use crate::documents::root;
 use triquad::{Law, Mesh, Survey, Triangulation};
 
 /// The folder of real defective meshes; none where it is absent.
 fn folder() -> Option<PathBuf> {
-    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/meshes");
-    let folder = std::env::var_os("TRIQUAD_MESHES").map_or_else(|| beside.into(), PathBuf::from);
-    let folder = folder.join("defective");
+    let named = std::env::var_os("TRIQUAD_MESHES").unwrap_or_else(|| "../shared/meshes".into());
+    let folder = root().join(named).join("defective");
     if folder.is_dir() {
         return Some(folder);
     }

@@ -1,9 +1,10 @@
 //! Small surfaces of many kinds.
 
 use super::draws::draws;
-use crate::random::{Mix, random_surface};
+use crate::random::{self, Mix, random_surface};
+use crate::sculptor::Sculptor;
 use crate::surface::Surface;
-use crate::{classic, grids};
+use crate::{classic, grids, worst_cases};
 
 /// Returns a random surface of `genus`; the same for the same arguments.
 pub fn random_of(genus: usize, operations: usize, mix: Mix, seed: u64) -> Surface {
@@ -30,6 +31,11 @@ pub fn special_surfaces() -> Vec<(&'static str, Surface)> {
         ("regular torus", grids::torus(12, 17)),
         ("long thin tube", grids::torus(600, 3)),
         ("hub", hub(400)),
+        ("prism", worst_cases::prism(4, 9)),
+        ("prism with lobes", worst_cases::prism_with_lobes(4, 9)),
+        ("tori round a pole", worst_cases::tori_round_a_pole(9)),
+        ("random torus", random::torus(8, 9, &mut draws(1))),
+        ("subdivided torus", Sculptor::from(&classic::seven_vertex_torus()).subdivided()),
         ("two components", beside(&grids::sphere(3), &grids::torus(5, 4))),
         ("tetrahedra", beside(&classic::tetrahedron(), &classic::tetrahedron())),
     ]
