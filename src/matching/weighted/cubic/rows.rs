@@ -169,11 +169,14 @@ fn join<N: Number>(
         }
         let other = &mut rows[(neighbour - first) as usize];
         let theirs: u64 = other.state.into();
-        let is_back = |&i: &usize| {
-            let is_open = theirs >> i & 1 == 0;
-            is_open && other.twins[i] == node && other.costs[i] == row.costs[side]
-        };
-        let back = (0..3).find(is_back).ok_or(asymmetric)?;
+        // Bit i stands for side i. Which one leads back is hard to predict: nothing branches.
+        let is_back = |i: usize| other.twins[i] == node && other.costs[i] == row.costs[side];
+        let leads_back = |i: usize| u64::from(is_back(i)) << i;
+        let open = (leads_back(0) | leads_back(1) | leads_back(2)) & !theirs;
+        if open == 0 {
+            return Err(asymmetric);
+        }
+        let back = open.trailing_zeros() as usize;
         other.twins[back] = 4 * node + side as u32;
         other.state = N::state(theirs | 1 << back);
         rows[(node - first) as usize].twins[side] = 4 * neighbour + back as u32;
