@@ -146,7 +146,7 @@ fn lines(both: &[&Duel], summary: &Summary) -> Vec<String> {
         ("scans", "Scans"),
         ("A", "Boxes of genus 0"),
         ("B", "Boxes of great genus"),
-        ("data", "Other scans"),
+        ("data", "Other meshes"),
     ] {
         let in_group = |duel: &&&Duel| duel.mesh.group == group;
         let own: Vec<&Duel> = both.iter().filter(in_group).copied().collect();
