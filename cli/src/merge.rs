@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use triquad_lab::counted::counted;
 use triquad_lab::experiment::merge::{MergeError, merge};
 
 use crate::failure::Failure;
@@ -31,12 +32,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         MergeError::Lock(error) => results_folder::unlockable(&error),
         MergeError::Write { out, error } => results_folder::unwritable(&out, &error),
     })?;
-    let (rows, damaged) = (merged.records.len(), merged.damaged.len());
-    let out = arguments.out.display();
-    let aside = match damaged {
+    let aside = match merged.damaged.len() {
         0 => String::new(),
-        _ => format!("; {damaged} damaged rows are set aside in damaged.csv"),
+        damaged => {
+            let rows = counted(damaged, "damaged row is", "damaged rows are");
+            format!("; {rows} set aside in damaged.csv")
+        }
     };
-    stdio::say(&format!("{out}: {rows} runs of {} machines{aside}", merged.machines.len()))?;
+    let out = arguments.out.display();
+    let rows = counted(merged.records.len(), "run", "runs");
+    let machines = counted(merged.machines.len(), "machine", "machines");
+    stdio::say(&format!("{out}: {rows} of {machines}{aside}"))?;
     bad_runs::refuse(&arguments.out, &merged, |_| false)
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use triquad_lab::counted::counted;
 use triquad_lab::experiment::estimate::{Estimate, run_seconds};
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 
@@ -49,7 +50,8 @@ fn matrix(plan: &Plan) -> String {
         );
     }
     let runs: usize = plan.blocks.iter().map(|block| block.runs.len()).sum();
-    let _ = write!(text, "{runs} runs: {}", in_words(&Estimate::new(plan)));
+    let runs = counted(runs, "run", "runs");
+    let _ = write!(text, "{runs}: {}", in_words(&Estimate::new(plan)));
     text
 }
 

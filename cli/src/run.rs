@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
+use triquad_lab::counted::counted;
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine;
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
@@ -207,7 +208,7 @@ impl<'a> RunView<'a> {
         let bad = results.records.iter().filter(|record| record.is_bad()).count();
         let skipped =
             results.records.iter().filter(|record| record.outcome == Outcome::Skipped).count();
-        let mut line = format!("{place}: {} runs", results.records.len());
+        let mut line = format!("{place}: {}", counted(results.records.len(), "run", "runs"));
         for (count, what) in [(bad, "did not end well"), (skipped, "skipped")] {
             if count > 0 {
                 line += &format!(", {count} {what}");
@@ -231,7 +232,8 @@ impl RunObserver for RunView<'_> {
         if let Ok(style) = ProgressStyle::with_template(template) {
             self.bar.set_style(style);
         }
-        self.say(&format!("{runs} runs to do, about {}", duration(seconds)));
+        let runs = counted(runs, "run", "runs");
+        self.say(&format!("{runs} to do, about {}", duration(seconds)));
     }
 
     fn preparing(&self, mesh: &PlannedMesh) {
@@ -281,7 +283,7 @@ impl RunObserver for RunView<'_> {
 
     fn mesh_done(&self, mesh: &PlannedMesh, journal: &Journal) {
         let left = duration(self.pace().seconds_left());
-        let rows = journal.results().records.len();
-        self.say(&format!("{} done: {rows} rows, about {left} left", mesh.name));
+        let rows = counted(journal.results().records.len(), "row", "rows");
+        self.say(&format!("{} done: {rows}, about {left} left", mesh.name));
     }
 }

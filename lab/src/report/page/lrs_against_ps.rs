@@ -27,6 +27,11 @@ impl LrsAgainstPs<'_> {
     pub fn answer(&self) -> &str {
         &self.answer
     }
+
+    /// Returns whether the records say anything about it.
+    pub fn is_answered(&self) -> bool {
+        !self.lines.is_empty() || !self.plots.is_empty()
+    }
 }
 
 /// PS and LRS on a mesh, as the page shows them.
