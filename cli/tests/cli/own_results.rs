@@ -191,7 +191,7 @@ fn two_columns_of_somebody_else_reach_the_tables() {
     assert!(text(&shop, "out/index.html").contains("mymatch"));
     let refused = |mapping: &str| shop.refused(&format!("{import}{mapping}"));
     assert!(refused("graph=mesh,time=totalseconds").contains("nearest is \"total_seconds\""));
-    assert!(refused("graf=mesh").contains("no column \"graf\"; the nearest is \"graph\""));
+    assert!(refused("graf=mesh").contains("no column \"graf\"; it has graph, time"));
     assert!(refused("time=total_seconds").contains("\"graph\" is not known"));
     assert!(refused("graph=mesh,time=-").contains("no column has a number"));
     std::fs::write(shop.path("two.csv"), "mesh,seconds\nbotjo,0.5\n").unwrap();
