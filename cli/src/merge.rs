@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use triquad_lab::counted::counted;
+use triquad_lab::experiment::command_line::quoted;
 use triquad_lab::experiment::merge::{MergeError, merge};
 
 use crate::failure::Failure;
@@ -10,7 +11,8 @@ use crate::{bad_runs, results_folder, stdio};
 
 /// Join the results of several machines
 ///
-/// Of a run that was done twice, the last one that ended well counts. Exit code 1 if a run did not
+/// Writes runs.csv, plan.csv, machines.json and the pictures; 'triquad report DIR' makes tables,
+/// plots and page. Of a run that was done twice, the last one that ended well counts. Exit code 1 if a run did not
 /// end well; each is named, and the folders are joined all the same.
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad merge results/part-1 results/part-2 --out results/whole")]
@@ -43,5 +45,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let rows = counted(merged.records.len(), "run", "runs");
     let machines = counted(merged.machines.len(), "machine", "machines");
     stdio::say(&format!("{out}: {rows} of {machines}{aside}"))?;
+    let folder = quoted(&out.to_string());
+    stdio::say(&format!("for tables, plots and page: triquad report {folder}"))?;
     bad_runs::refuse(&arguments.out, &merged, |_| false)
 }
