@@ -331,6 +331,51 @@ fn findings_without_evidence_are_left_out() {
     assert!(page_of(&results).contains("These records decide none of the "));
 }
 
+/// The texts of the cells of a table's row, found by its mesh and algorithm, with their classes.
+fn cells_of(page: &str, table: &str, row: [&str; 2]) -> Vec<Vec<(String, String)>> {
+    let document = parsed(page);
+    let table = document.descendants().find(|node| node.attribute("id") == Some(table)).unwrap();
+    let text = |node: Node| node.text().unwrap_or_default().trim().to_owned();
+    let is_row = |node: &Node| {
+        let mut cells = node.children().filter(Node::is_element);
+        node.has_tag_name("tr")
+            && row.iter().all(|name| cells.next().is_some_and(|c| text(c) == *name))
+    };
+    let row = table.descendants().find(is_row).expect(row[0]);
+    let cells = row.children().filter(|node| node.has_tag_name("td"));
+    let parts = |cell: Node| {
+        let elements = cell.children().filter(Node::is_element);
+        let smalls =
+            elements.map(|part| (part.attribute("class").unwrap_or_default().into(), text(part)));
+        std::iter::once((String::new(), text(cell))).chain(smalls).collect()
+    };
+    cells.map(parts).collect()
+}
+
+#[test]
+fn times_of_two_machines_are_not_compared_and_no_difference_is_a_fault() {
+    let mut results = crate::records::of_the_papers();
+    for run in &mut results.records {
+        let measured = &mut run.measured;
+        for seconds in [&mut measured.pairing_seconds, &mut measured.augmentation_seconds] {
+            *seconds = seconds.map(|seconds| seconds / 1000.0);
+        }
+        measured.unpaired_triangles = measured.unpaired_triangles.map(|count| 2 * count);
+    }
+    let page = page_of(&results);
+    let cells = cells_of(&page, "table-4-3", ["botijo", "LRS"]);
+    let part = |class: &str, text: &str| (class.to_owned(), text.to_owned());
+    // (a), seconds: a thousand times as fast as printed.
+    assert_eq!(cells[1], [part("", "0.0007035"), part("", "paper 0.7035")]);
+    assert_eq!(cells[4], [part("", "0.000018"), part("", "paper 0.01820")]);
+    // (c), a count.
+    let twice = [part("", "124"), part("", "paper 62"), part("difference more", "▲ × 2.000")];
+    assert_eq!(cells[3], twice);
+    let style = page.split("<style>").nth(1).unwrap().split("</style>").next().unwrap();
+    let rule = style.lines().find(|line| line.starts_with(".difference.more")).unwrap();
+    assert!(rule.contains("var(--other)") && !rule.contains("--bad"), "{rule}");
+}
+
 #[test]
 fn every_algorithm_is_defined_where_it_was_run() {
     let page = page_of(&crate::records::of_the_papers());

@@ -7,7 +7,7 @@ use triquad::pairing::{Algorithm, Expansion};
 use super::parts::Parts;
 use crate::experiment::{Job, RunRecord};
 use crate::paper::Paper;
-use crate::report::number::significant;
+use crate::report::number::{seconds, significant};
 use crate::report::path_price::PathPrice;
 use crate::report::plots::{Counterpart, Plot};
 use crate::report::statistics::Statistics;
@@ -194,6 +194,6 @@ fn cells(pair: &Option<Pair>) -> [DuelCell; 3] {
     let (winner, fast, slow) = if lrs.mean < ps.mean { ("LRS", lrs, ps) } else { ("PS", ps, lrs) };
     let unclear = if fast.maximum > slow.minimum { "~" } else { "" };
     let ratio = if ps.mean > 0.0 { significant(lrs.mean / ps.mean) } else { "–".into() };
-    let mean = |of: &Statistics| DuelCell { text: significant(of.mean), n: Some(of.n) };
+    let mean = |of: &Statistics| DuelCell { text: seconds(of.mean), n: Some(of.n) };
     [mean(ps), mean(lrs), text(format!("{ratio} {unclear}{winner}"))]
 }
