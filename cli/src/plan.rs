@@ -34,9 +34,9 @@ fn matrix(plan: &Plan) -> String {
             let _ = writeln!(text, "{group}");
             heading = group;
         }
-        let seconds: f64 = same_mesh(plan, block)
-            .flat_map(|block| block.runs.iter().map(|run| run_seconds(&block.mesh, run)))
-            .sum();
+        let seconds = same_mesh(plan, block)
+            .flat_map(|block| block.runs.iter().filter_map(|run| run_seconds(&block.mesh, run)))
+            .reduce(|sum, seconds| sum + seconds);
         let mesh = &block.mesh;
         let _ = writeln!(
             text,
@@ -45,7 +45,7 @@ fn matrix(plan: &Plan) -> String {
             mesh.kind().id(),
             mesh.triangles,
             mesh.genus,
-            duration(seconds),
+            seconds.map_or("–".into(), duration),
             jobs(block),
         );
     }

@@ -201,8 +201,9 @@ impl AlgorithmFacts {
             "not ours",
             look_of(name),
             false,
-            (5e-6, 1000.0),
-            [0.1, 0.0, 0.0],
+            // Nothing is estimated for it.
+            (0.0, 0.0),
+            [0.0; 3],
         )));
         others.push(facts);
         facts
