@@ -12,7 +12,9 @@ use crate::{bad_runs, results_folder, stdio};
 /// Join the results of several machines
 ///
 /// Writes runs.csv, plan.csv, machines.json and the pictures; 'triquad report DIR' makes tables,
-/// plots and page. Of a run that was done twice, the last one that ended well counts. Exit code 1 if a run did not
+/// plots and page.
+///
+/// Of a run that was done twice, the last one that ended well counts. Exit code 1 if a run did not
 /// end well; each is named, and the folders are joined all the same.
 #[derive(clap::Args)]
 #[command(after_help = "Example: triquad merge results/part-1 results/part-2 --out results/whole")]

@@ -14,8 +14,8 @@ use crate::paper::Paper;
 pub struct Cell {
     /// The job that is repeated.
     pub id: RunId,
-    /// Group of the mesh in the tables of the paper; `data` for a mesh that the paper does not have.
-    /// The name of the group in the experiment file does not matter.
+    /// Group of the mesh in the tables of the paper, whatever the experiment file calls it; `data`
+    /// for a mesh that the paper does not have.
     pub group: &'static str,
     /// Origin of the mesh; `None` where no run of the mesh has a row.
     pub origin: Option<Origin>,

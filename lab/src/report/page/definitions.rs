@@ -45,8 +45,8 @@ const SYMBOLS: [(&str, &str); 20] = [
     ("local", "our augmentation: a search touches only what it visits"),
 ];
 
-/// Returns the definitions; programs that are not ours at the end. Where the papers' experiments are
-/// not shown, of our algorithms only those with runs.
+/// Returns the definitions; programs that are not ours at the end. Of our algorithms, pages of own
+/// results define only those with runs.
 pub fn definitions(summary: &Summary, topic: &Topic) -> Vec<Definition> {
     let is_shown = |facts: &&AlgorithmFacts| {
         let is_run = || summary.cells().iter().any(|cell| cell.id.job.facts().name == facts.name);
