@@ -252,7 +252,31 @@ fn every_algorithm_is_named_where_algorithms_are_listed() {
             }
         }
     }
+    // The table that `--compare` prints: what `…` stands for may hide a row.
+    let quality = std::fs::read_to_string(root().join("docs/quality.md")).unwrap();
+    let has_row = |id: &&str| quality.contains(&format!("\n{id:<10}  "));
+    let ids = triquad::Algorithm::ALL.map(triquad::Algorithm::id);
+    let rows = ids.into_iter().filter(|id| !has_row(id));
+    missing.extend(rows.map(|id| format!("docs/quality.md, output of --compare: {id}")));
     assert!(missing.is_empty(), "lists of algorithms that lack one: {missing:?}");
+}
+
+#[test]
+fn algorithms_for_open_surfaces_are_named_where_these_are_listed() {
+    let lists = [
+        ("docs/cli.md", "| `--open` |", " |\n"),
+        ("docs/convert.md", "- For `best`", "."),
+        ("python/triquad/_convert.py", "    open : bool\n", " only."),
+    ];
+    for (file, begin, end) in lists {
+        let text = std::fs::read_to_string(root().join(file)).unwrap();
+        let list = text.split(begin).nth(1).and_then(|rest| rest.split(end).next()).expect(file);
+        let list = format!("{begin}{list}");
+        for algorithm in triquad::Algorithm::ALL {
+            let is_named = list.contains(&format!("`{}`", algorithm.id()));
+            assert_eq!(is_named, algorithm.works_on_open(), "{file}: {algorithm}");
+        }
+    }
 }
 
 /// Returns the targets of the links and pictures of a document that are files.
