@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use triquad_lab::counted::counted;
 use triquad_lab::experiment::{Results, RunRecord};
 
 use crate::failure::Failure;
@@ -29,8 +30,8 @@ pub fn refuse(
         0 => String::new(),
         more => format!(", {more} of them not named here"),
     };
-    let (runs, path) = (bad.len(), out.join("runs.csv"));
-    Err(Failure::no(format!("{}: {runs} runs did not end well{more}", path.display())))
+    let (runs, path) = (counted(bad.len(), "run", "runs"), out.join("runs.csv"));
+    Err(Failure::no(format!("{}: {runs} did not end well{more}", path.display())))
 }
 
 /// Names a run and how it ended.

@@ -92,13 +92,23 @@ pub fn pictured(files: &[PathBuf], scale: Scale) -> Result<Vec<PlannedMesh>, Fai
 
 /// Writes an estimate in words: `about 3 min, 2.5 GB of memory, …`.
 pub fn in_words(estimate: &Estimate) -> String {
-    let gigabytes = |bytes: f64| format!("{:.1} GB", bytes / 1e9);
     format!(
-        "about {}, {} of memory, {} of disk",
+        "about {}, {} of memory, {} of disk{}",
         duration(estimate.seconds),
-        gigabytes(estimate.memory_bytes),
-        gigabytes(estimate.disk_bytes),
+        amount(estimate.memory_bytes),
+        amount(estimate.disk_bytes),
+        no_estimate(estimate.external_runs),
     )
+}
+
+/// Writes an amount of memory in words: `9 MB`, `2.5 GB`.
+fn amount(bytes: f64) -> String {
+    if bytes < 1e8 { format!("{:.0} MB", bytes / 1e6) } else { format!("{:.1} GB", bytes / 1e9) }
+}
+
+/// Returns the end of an estimate that is without so many runs of external programs.
+pub fn no_estimate(external_runs: usize) -> &'static str {
+    if external_runs == 0 { "" } else { "; no estimate for external programs" }
 }
 
 /// Writes a time in words: `40 s`, `3 min`, `2 h 05 min`.

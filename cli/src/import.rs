@@ -4,6 +4,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use triquad::mesh::refuse_endless;
+use triquad_lab::counted::counted;
 use triquad_lab::experiment::Task;
 use triquad_lab::experiment::import::{self, ImportSettings, Imported};
 use triquad_lab::experiment::journal::Journal;
@@ -76,16 +77,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         journal.append(record).map_err(failure)?;
     }
     if rounded > 0 {
-        stdio::complain(&format!(
-            "{}: {rounded} counts are no whole numbers and were rounded; give a row a run",
-            arguments.file.display()
-        ));
+        let counts = counted(
+            rounded,
+            "count is no whole number and was rounded",
+            "counts are no whole numbers and were rounded",
+        );
+        stdio::complain(&format!("{}: {counts}; give a row a run", arguments.file.display()));
     }
     let written = report::write(out, journal.results())?;
     stdio::say(&format!(
-        "{}: {rows} runs of {} ({task}) on {cells} meshes taken in",
+        "{}: {} of {} ({task}) on {} taken in",
         written.page.as_deref().unwrap_or(out).display(),
+        counted(rows, "run", "runs"),
         arguments.algorithm,
+        counted(cells, "mesh", "meshes"),
     ))
 }
 

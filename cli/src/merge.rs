@@ -2,12 +2,17 @@
 
 use std::path::PathBuf;
 
+use triquad_lab::counted::counted;
+use triquad_lab::experiment::command_line::quoted;
 use triquad_lab::experiment::merge::{MergeError, merge};
 
 use crate::failure::Failure;
 use crate::{bad_runs, results_folder, stdio};
 
 /// Join the results of several machines
+///
+/// Writes runs.csv, plan.csv, machines.json and the pictures; 'triquad report DIR' makes tables,
+/// plots and page.
 ///
 /// Of a run that was done twice, the last one that ended well counts. Exit code 1 if a run did not
 /// end well; each is named, and the folders are joined all the same.
@@ -31,12 +36,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         MergeError::Lock(error) => results_folder::unlockable(&error),
         MergeError::Write { out, error } => results_folder::unwritable(&out, &error),
     })?;
-    let (rows, damaged) = (merged.records.len(), merged.damaged.len());
-    let out = arguments.out.display();
-    let aside = match damaged {
+    let aside = match merged.damaged.len() {
         0 => String::new(),
-        _ => format!("; {damaged} damaged rows are set aside in damaged.csv"),
+        damaged => {
+            let rows = counted(damaged, "damaged row is", "damaged rows are");
+            format!("; {rows} set aside in damaged.csv")
+        }
     };
-    stdio::say(&format!("{out}: {rows} runs of {} machines{aside}", merged.machines.len()))?;
+    let out = arguments.out.display();
+    let rows = counted(merged.records.len(), "run", "runs");
+    let machines = counted(merged.machines.len(), "machine", "machines");
+    stdio::say(&format!("{out}: {rows} of {machines}{aside}"))?;
+    let folder = quoted(&out.to_string());
+    stdio::say(&format!("for tables, plots and page: triquad report {folder}"))?;
     bad_runs::refuse(&arguments.out, &merged, |_| false)
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use triquad_lab::counted::counted;
 use triquad_lab::experiment::estimate::{Estimate, run_seconds};
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 
@@ -33,9 +34,9 @@ fn matrix(plan: &Plan) -> String {
             let _ = writeln!(text, "{group}");
             heading = group;
         }
-        let seconds: f64 = same_mesh(plan, block)
-            .flat_map(|block| block.runs.iter().map(|run| run_seconds(&block.mesh, run)))
-            .sum();
+        let seconds = same_mesh(plan, block)
+            .flat_map(|block| block.runs.iter().filter_map(|run| run_seconds(&block.mesh, run)))
+            .reduce(|sum, seconds| sum + seconds);
         let mesh = &block.mesh;
         let _ = writeln!(
             text,
@@ -44,12 +45,13 @@ fn matrix(plan: &Plan) -> String {
             mesh.kind().id(),
             mesh.triangles,
             mesh.genus,
-            duration(seconds),
+            seconds.map_or("–".into(), duration),
             jobs(block),
         );
     }
     let runs: usize = plan.blocks.iter().map(|block| block.runs.len()).sum();
-    let _ = write!(text, "{runs} runs: {}", in_words(&Estimate::new(plan)));
+    let runs = counted(runs, "run", "runs");
+    let _ = write!(text, "{runs}: {}", in_words(&Estimate::new(plan)));
     text
 }
 

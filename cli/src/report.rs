@@ -4,6 +4,7 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use triquad::atomic_file::AtomicFile;
+use triquad_lab::counted::counted;
 use triquad_lab::experiment::Results;
 use triquad_lab::pictures;
 use triquad_lab::report::{self, Extent, Report, documents};
@@ -69,7 +70,7 @@ pub fn read(folder: &Path) -> Result<Results, Failure> {
     if results.records.is_empty() {
         let damaged = match results.damaged.len() {
             0 => String::new(),
-            rows => format!(" ({rows} rows are damaged)"),
+            rows => format!(" ({} damaged)", counted(rows, "row is", "rows are")),
         };
         return Err(Failure::bad(format!(
             "{}: runs.csv has no records{damaged}; 'triquad run' or 'triquad import' adds some",

@@ -8,16 +8,17 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
+use triquad_lab::counted::counted;
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine;
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 use triquad_lab::experiment::planned_mesh::PlannedMesh;
 use triquad_lab::experiment::record::{Outcome, RunRecord};
-use triquad_lab::experiment::run::{RunObserver, Runner};
+use triquad_lab::experiment::run::{OpenRuns, RunObserver, Runner};
 use triquad_lab::pictures::{self, DrawError};
 use triquad_lab::report::{self as lab_report, Extent};
 
-use crate::experiments::{Selection, duration};
+use crate::experiments::{Selection, duration, no_estimate};
 use crate::failure::Failure;
 use crate::{bad_runs, generate, input, interrupt, own_program, report, results_folder, stdio};
 
@@ -155,8 +156,10 @@ const PAGE_EVERY: Duration = Duration::from_secs(60);
 /// Estimated seconds beside measured ones.
 #[derive(Default)]
 struct Pace {
-    /// Estimate of the runs that are left.
+    /// Estimate of the runs that are left, without external programs.
     left: f64,
+    /// Runs of external programs that are left.
+    external: usize,
     /// Estimate of the runs that are done.
     estimated: f64,
     /// Seconds that they took.
@@ -164,10 +167,30 @@ struct Pace {
 }
 
 impl Pace {
-    /// Returns the seconds that are left, corrected by the times of finished runs.
-    fn seconds_left(&self) -> f64 {
+    /// Counts a finished run.
+    fn count(&mut self, record: &RunRecord, estimate: Option<f64>) {
+        let Some(estimate) = estimate else {
+            self.external -= 1;
+            return;
+        };
+        self.left -= estimate;
+        if record.outcome != Outcome::Skipped {
+            self.estimated += estimate;
+            self.taken += record.process_seconds;
+        }
+    }
+
+    /// Returns the time that is left, corrected by the times of finished runs, in words.
+    fn left_in_words(&self) -> String {
         let factor = if self.estimated > 1.0 { self.taken / self.estimated } else { 1.0 };
-        (self.left * factor).max(0.0)
+        let time = duration((self.left * factor).max(0.0));
+        match self.external {
+            0 => format!("about {time} left"),
+            runs => {
+                let runs = counted(runs, "run of an external program", "runs of external programs");
+                format!("about {time} and {runs} left")
+            }
+        }
     }
 }
 
@@ -207,7 +230,7 @@ impl<'a> RunView<'a> {
         let bad = results.records.iter().filter(|record| record.is_bad()).count();
         let skipped =
             results.records.iter().filter(|record| record.outcome == Outcome::Skipped).count();
-        let mut line = format!("{place}: {} runs", results.records.len());
+        let mut line = format!("{place}: {}", counted(results.records.len(), "run", "runs"));
         for (count, what) in [(bad, "did not end well"), (skipped, "skipped")] {
             if count > 0 {
                 line += &format!(", {count} {what}");
@@ -224,14 +247,17 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl RunObserver for RunView<'_> {
-    fn begin(&self, runs: usize, seconds: f64) {
-        self.pace().left = seconds;
+    fn begin(&self, open: OpenRuns) {
+        let OpenRuns { runs, external, seconds } = open;
+        *self.pace() = Pace { left: seconds, external, ..Pace::default() };
         self.bar.set_length(runs as u64);
         let template = "{spinner} {pos} of {len} runs, {msg}";
         if let Ok(style) = ProgressStyle::with_template(template) {
             self.bar.set_style(style);
         }
-        self.say(&format!("{runs} runs to do, about {}", duration(seconds)));
+        let runs = counted(runs, "run", "runs");
+        let note = no_estimate(external);
+        self.say(&format!("{runs} to do, about {}{note}", duration(seconds)));
     }
 
     fn preparing(&self, mesh: &PlannedMesh) {
@@ -240,20 +266,14 @@ impl RunObserver for RunView<'_> {
     }
 
     fn running(&self, block: &Block, run: &PlannedRun) {
-        let left = duration(self.pace().seconds_left());
+        let left = self.pace().left_in_words();
         let (mesh, job) = (&block.mesh.name, run.job.name());
-        self.bar.set_message(format!("about {left} left: {mesh}, {job}"));
+        self.bar.set_message(format!("{left}: {mesh}, {job}"));
         self.bar.tick();
     }
 
-    fn finished(&self, record: &RunRecord, estimate: f64) {
-        let mut pace = self.pace();
-        pace.left -= estimate;
-        if record.outcome != Outcome::Skipped {
-            pace.estimated += estimate;
-            pace.taken += record.process_seconds;
-        }
-        drop(pace);
+    fn finished(&self, record: &RunRecord, estimate: Option<f64>) {
+        self.pace().count(record, estimate);
         self.bar.inc(1);
         let is_new = || lock(&self.said).insert(record.reason.clone());
         // The reason why a program is not installed is printed once.
@@ -280,8 +300,8 @@ impl RunObserver for RunView<'_> {
     }
 
     fn mesh_done(&self, mesh: &PlannedMesh, journal: &Journal) {
-        let left = duration(self.pace().seconds_left());
-        let rows = journal.results().records.len();
-        self.say(&format!("{} done: {rows} rows, about {left} left", mesh.name));
+        let left = self.pace().left_in_words();
+        let rows = counted(journal.results().records.len(), "row", "rows");
+        self.say(&format!("{} done: {rows}, {left}", mesh.name));
     }
 }

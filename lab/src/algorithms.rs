@@ -54,6 +54,8 @@ pub struct AlgorithmFacts {
     pub name: &'static str,
     /// Name in the papers, with what is not as published.
     pub label: &'static str,
+    /// Its meaning in a line, for the definitions of the page.
+    pub meaning: &'static str,
     /// Look in plots.
     pub look: Look,
     /// True if the quads that it makes are drawn.
@@ -68,37 +70,114 @@ pub struct AlgorithmFacts {
 
 /// Every algorithm, those of the papers first: the order of tables and plots.
 static ALGORITHMS: &[AlgorithmFacts] = &[
-    row("sg", "SG", (ORANGE, Mark::Circle), true, (0.15e-6, 120.0), [0.125, 0.0, 0.0]),
-    row("ps", "PS", (BLUE, Mark::Square), true, (0.15e-6, 120.0), [0.001, 0.0, 0.0]),
-    row("ds", "DS", (GREEN, Mark::Up), true, (25e-6, 450.0), [0.0, 0.0, 0.0]),
-    row("lrs", "LRS", (VERMILION, Mark::Diamond), true, (0.5e-6, 160.0), [0.0, 12.0, 4.0]),
     row(
-        "lrs few-flips",
-        "LRS few-flips",
+        ["sg", "SG"],
+        "simple greedy: takes edges in random order, pairs their triangles if both are free",
+        (ORANGE, Mark::Circle),
+        true,
+        (0.15e-6, 120.0),
+        [0.125, 0.0, 0.0],
+    ),
+    row(
+        ["ps", "PS"],
+        "Pulli and Segal: greedy with four priorities, from triangles in random order",
+        (BLUE, Mark::Square),
+        true,
+        (0.15e-6, 120.0),
+        [0.001, 0.0, 0.0],
+    ),
+    row(
+        ["ds", "DS"],
+        "Diks and Stanczyk: a perfect pairing at once, in O(n log² n)",
+        (GREEN, Mark::Up),
+        true,
+        (25e-6, 450.0),
+        [0.0, 0.0, 0.0],
+    ),
+    row(
+        ["lrs", "LRS"],
+        "Lemos, Ramaswami, Siqueira: contracts to an irreducible triangulation, expands again",
+        (VERMILION, Mark::Diamond),
+        true,
+        (0.5e-6, 160.0),
+        [0.0, 12.0, 4.0],
+    ),
+    row(
+        ["lrs few-flips", "LRS few-flips"],
+        "LRS with an expansion of ours that keeps more of the input's edges",
         (PURPLE, Mark::Cross),
         true,
         (0.8e-6, 160.0),
         [0.0, 12.0, 4.0],
     ),
-    row("velho", "Velho", (SKY, Mark::Circle), false, (0.3e-6, 140.0), [0.125, 0.0, 0.0]),
-    row("gw", "GW", (SKY, Mark::Down), false, (2.4e-6, 120.0), [0.0, 0.0, 0.0]),
-    row("best", "BEST", (GREEN, Mark::Circle), false, (0.6e-6, 190.0), [0.0; 3]),
-    row("tq", "TQ", (GREY, Mark::Circle), true, (0.15e-6, 120.0), [0.0, 0.0, 2.0]),
-    row("rs", "RS", (BLUE, Mark::Square), false, (0.15e-6, 120.0), [0.0; 3]),
-    row("schipper", "S", (VERMILION, Mark::Diamond), false, (0.7e-6, 120.0), [0.0; 3]),
-    row("brute-force", "BF", (GREEN, Mark::Up), false, (1.0e-6, 120.0), [0.0; 3]),
+    row(
+        ["velho", "Velho"],
+        "SG with the longest edge first, after Velho; the paper prints no numbers of it",
+        (SKY, Mark::Circle),
+        false,
+        (0.3e-6, 140.0),
+        [0.125, 0.0, 0.0],
+    ),
+    row(
+        ["gw", "GW"],
+        "Gawrychowski and Wasylkiewicz: a perfect pairing at once, in O(n log n)",
+        (SKY, Mark::Down),
+        false,
+        (2.4e-6, 120.0),
+        [0.0, 0.0, 0.0],
+    ),
+    row(
+        ["best", "BEST"],
+        "ours: the perfect pairing of least total cost; the default of triquad convert",
+        (GREEN, Mark::Circle),
+        false,
+        (0.6e-6, 190.0),
+        [0.0; 3],
+    ),
+    row(
+        ["tq", "TQ"],
+        "ours, for speed: PS that pairs each stranded triangle at once; leaves a few at most",
+        (GREY, Mark::Circle),
+        true,
+        (0.15e-6, 120.0),
+        [0.0, 0.0, 2.0],
+    ),
+    row(
+        ["rs", "RS"],
+        "Ramaswami and Siqueira: irreducible triangulations, each edge tested once",
+        (BLUE, Mark::Square),
+        false,
+        (0.15e-6, 120.0),
+        [0.0; 3],
+    ),
+    row(
+        ["schipper", "S"],
+        "Schipper: contracts at a vertex of least degree",
+        (VERMILION, Mark::Diamond),
+        false,
+        (0.7e-6, 120.0),
+        [0.0; 3],
+    ),
+    row(
+        ["brute-force", "BF"],
+        "brute force: tests edges in random order until none can be contracted",
+        (GREEN, Mark::Up),
+        false,
+        (1.0e-6, 120.0),
+        [0.0; 3],
+    ),
 ];
 
 const fn row(
-    name: &'static str,
-    label: &'static str,
+    [name, label]: [&'static str; 2],
+    meaning: &'static str,
     (colour, mark): ([u8; 3], Mark),
     is_pictured: bool,
     (seconds, bytes): (f64, f64),
     unpaired: [f64; 3],
 ) -> AlgorithmFacts {
     let look = Look { colour, mark };
-    AlgorithmFacts { name, label, look, is_pictured, seconds, bytes, unpaired }
+    AlgorithmFacts { name, label, meaning, look, is_pictured, seconds, bytes, unpaired }
 }
 
 impl AlgorithmFacts {
@@ -118,12 +197,13 @@ impl AlgorithmFacts {
         }
         let name: &'static str = Box::leak(name.into());
         let facts: &'static Self = Box::leak(Box::new(row(
-            name,
-            name,
+            [name, name],
+            "not ours",
             look_of(name),
             false,
-            (5e-6, 1000.0),
-            [0.1, 0.0, 0.0],
+            // Nothing is estimated for it.
+            (0.0, 0.0),
+            [0.0; 3],
         )));
         others.push(facts);
         facts
@@ -146,4 +226,20 @@ fn look_of(name: &str) -> ([u8; 3], Mark) {
     const MARKS: [Mark; 3] = [Mark::Cross, Mark::Down, Mark::Up];
     let sum = name.bytes().fold(0_usize, |sum, byte| sum.wrapping_mul(31) + usize::from(byte));
     (COLOURS[sum % COLOURS.len()], MARKS[sum % MARKS.len()])
+}
+
+#[cfg(test)]
+mod tests {
+    use triquad::pairing::Algorithm;
+
+    use super::*;
+
+    #[test]
+    fn a_meaning_says_perfect_of_exactly_those_that_leave_no_triangle() {
+        for algorithm in Algorithm::ALL {
+            let facts = AlgorithmFacts::named(algorithm.id()).expect("a row for each");
+            let says = facts.meaning.contains("perfect pairing");
+            assert_eq!(says, facts.unpaired == [0.0; 3], "{}", facts.meaning);
+        }
+    }
 }

@@ -1,18 +1,49 @@
 //! The name that was probably meant.
 
-/// Returns the one of `known` that takes the fewest edits to become `name`, letters of either case
-/// being the same; `None` if there is none.
-pub(crate) fn nearest<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
-    let name = name.to_lowercase();
-    let edits = |other: &&str| strsim::damerau_levenshtein(&name, &other.to_lowercase());
-    known.into_iter().min_by_key(edits)
+use std::cmp::Reverse;
+
+/// Returns the one of `known` that shares the most words with `name`, however they are ordered;
+/// where none shares any, the one that is but a slip away. `None` if none is near.
+///
+/// Letters of either case are the same. Of several, the one with the fewest other words is taken,
+/// then the one that takes the fewest edits.
+pub(crate) fn likely<'n>(
+    name: &str,
+    known: impl IntoIterator<Item = &'n str> + Clone,
+) -> Option<&'n str> {
+    let words = words_of(name);
+    let shared = |other: &str| {
+        let others = words_of(other);
+        let is_shared = |word: &&String| others.iter().any(|other| is_slip(word, other));
+        (words.iter().filter(is_shared).count(), others.len())
+    };
+    let near = known.clone().into_iter().filter(|other| shared(other).0 > 0);
+    let best = near.min_by_key(|other| {
+        let (count, all) = shared(other);
+        (Reverse(count), all, edits(name, other))
+    });
+    best.or_else(|| slip_of(name, known))
 }
 
-/// Returns the nearest of `known` if at most a third of the letters of `name` are slips.
+/// Returns the one of `known` that takes the fewest edits to become `name`, if at most a third of
+/// the letters of `name` are slips.
 pub(crate) fn slip_of<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
-    let nearest = nearest(name, known)?;
-    let edits = strsim::damerau_levenshtein(&name.to_lowercase(), &nearest.to_lowercase());
-    (3 * edits <= name.chars().count()).then_some(nearest)
+    let nearest = known.into_iter().min_by_key(|other| edits(name, other))?;
+    is_slip(name, nearest).then_some(nearest)
+}
+
+/// Returns the words of a name, in small letters: `Total_Seconds` has `total` and `seconds`.
+fn words_of(name: &str) -> Vec<String> {
+    let parts = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    parts.map(str::to_lowercase).collect()
+}
+
+fn is_slip(name: &str, other: &str) -> bool {
+    3 * edits(name, other) <= name.chars().count()
+}
+
+fn edits(name: &str, other: &str) -> usize {
+    strsim::damerau_levenshtein(&name.to_lowercase(), &other.to_lowercase())
 }
 
 #[cfg(test)]
@@ -20,12 +51,38 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_nearest_name_is_that_of_the_fewest_slips() {
+    fn a_slip_is_known_and_what_is_far_is_not() {
         let known = ["mesh", "total_seconds", "pairing_seconds"];
-        assert_eq!(nearest("Meshes", known), Some("mesh"));
-        assert_eq!(nearest("totalseconds", known), Some("total_seconds"));
-        assert_eq!(nearest("x", []), None);
+        assert_eq!(slip_of("Meshs", known), Some("mesh"));
+        assert_eq!(slip_of("totalseconds", known), Some("total_seconds"));
         assert_eq!(slip_of("pairing_second", known), Some("pairing_seconds"));
         assert_eq!(slip_of("mytorus", known), None);
+        assert_eq!(slip_of("x", []), None);
+    }
+
+    #[test]
+    fn words_count_more_than_letters_whatever_their_order() {
+        let known = [
+            "mesh",
+            "seed",
+            "seconds",
+            "total_seconds",
+            "triangles",
+            "unpaired_triangles",
+            "result_triangles",
+            "edge_flips",
+            "peak_memory_bytes",
+        ];
+        let likely = |name| likely(name, known);
+        assert_eq!(likely("unpaired"), Some("unpaired_triangles"));
+        assert_eq!(likely("seconds_total"), Some("total_seconds"));
+        assert_eq!(likely("Total Time"), Some("total_seconds"));
+        assert_eq!(likely("num-triangles"), Some("triangles"));
+        assert_eq!(likely("memory"), Some("peak_memory_bytes"));
+        assert_eq!(likely("flips"), Some("edge_flips"));
+        assert_eq!(likely("totalseconds"), Some("total_seconds"));
+        for far in ["time", "graph", "nodes", "x", ""] {
+            assert_eq!(likely(far), None, "{far}");
+        }
     }
 }

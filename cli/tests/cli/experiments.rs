@@ -217,7 +217,15 @@ fn parts_of_several_machines_make_the_whole() {
     let parts = [1, 2, 3].map(|part| shop.results(&format!("part-{part}")).records.len());
     assert!(parts.iter().all(|&rows| rows > 0), "{parts:?}");
     // Part 2 twice: nothing is counted double.
-    shop.succeed("merge part-1 part-2 part-3 part-2 --out merged");
+    let output = shop.run("merge part-1 part-2 part-3 part-2 --out merged");
+    let said = String::from_utf8(output.stdout).unwrap();
+    let expected = format!(
+        "merged: {RUNS} runs of 1 machine\nfor tables, plots and page: triquad report merged\n"
+    );
+    assert_eq!((output.status.code(), said), (Some(0), expected));
+    assert!(!shop.path("merged/table_4_3.csv").exists());
+    shop.succeed("report merged");
+    assert!(shop.path("merged/table_4_3.csv").exists());
     let [merged, whole] = ["merged", "whole"].map(|name| shop.results(name));
     assert_eq!(merged.records.len(), RUNS);
     assert_eq!(repeatable_rows(&merged), repeatable_rows(&whole));
@@ -281,7 +289,7 @@ fn what_timed_out_is_not_tried_on_larger_meshes() {
     shop.put_mesh("data/small.ply", &classic::tetrahedron());
     let said = shop.failed("run slow.toml --data data --timeout 2 --out out");
     assert!(said.contains("2 runs to do"), "{said}");
-    assert!(said.ends_with("1 runs did not end well\n"), "{said}");
+    assert!(said.ends_with(": 1 run did not end well\n"), "{said}");
     assert_eq!(shop.results("out").records.len(), 6);
 }
 

@@ -112,6 +112,32 @@ fn a_program_of_somebody_else_is_checked_and_stands_in_every_table() {
 }
 
 #[test]
+fn an_estimate_is_without_external_programs_and_says_so_once() {
+    let shop = Workshop::new();
+    let program = [("theirs", "command = [\"no-such-program\", \"{mesh}\", \"{quads}\"]")];
+    let text = experiment(&program);
+    let plan = |text: &str| {
+        std::fs::write(shop.path("mine.toml"), text).unwrap();
+        let output = shop.run("plan mine.toml --scale demo");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let note = "no estimate for external programs";
+    let both = plan(&text);
+    assert_eq!(both.matches(note).count(), 1, "{both}");
+    let total = |said: &str| said.lines().last().unwrap().to_owned();
+    let ours = plan(&text.replace("\"ps\", \"theirs\"", "\"ps\""));
+    assert!(!ours.contains(note), "{ours}");
+    let expected = total(&ours).replace("4 runs", "8 runs") + "; " + note;
+    assert_eq!(total(&both), expected, "the programs add nothing");
+    let theirs = plan(&text.replace("\"ps\", \"theirs\"", "\"theirs\""));
+    let line = theirs.lines().find(|line| line.contains("botijo")).unwrap();
+    assert!(line.ends_with(" –  2 x theirs external"), "{line}");
+    let said = shop.succeed("run mine.toml --scale demo --out out");
+    assert!(said.contains("4 runs to do, about 0 s; no estimate for external programs"), "{said}");
+    assert!(said.contains("about 0 s and 2 runs of external programs left"), "{said}");
+}
+
+#[test]
 fn ours_and_others_are_measured_alike_from_the_files_that_they_leave() {
     if !has_python() {
         return;
@@ -191,7 +217,7 @@ fn two_columns_of_somebody_else_reach_the_tables() {
     assert!(text(&shop, "out/index.html").contains("mymatch"));
     let refused = |mapping: &str| shop.refused(&format!("{import}{mapping}"));
     assert!(refused("graph=mesh,time=totalseconds").contains("nearest is \"total_seconds\""));
-    assert!(refused("graf=mesh").contains("no column \"graf\"; the nearest is \"graph\""));
+    assert!(refused("graf=mesh").contains("no column \"graf\"; it has graph, time"));
     assert!(refused("time=total_seconds").contains("\"graph\" is not known"));
     assert!(refused("graph=mesh,time=-").contains("no column has a number"));
     std::fs::write(shop.path("two.csv"), "mesh,seconds\nbotjo,0.5\n").unwrap();

@@ -67,7 +67,7 @@ fn foreign_command(mesh: &PlannedMesh, run: &PlannedRun, program: &ProgramSpec) 
 }
 
 /// Returns `word` as a shell takes it for one word. A control character becomes a blank.
-fn quoted(word: &str) -> String {
+pub fn quoted(word: &str) -> String {
     let plain: String =
         word.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
     shlex::try_quote(&plain).map_or_else(|_| plain.clone(), |word| word.into_owned())

@@ -12,9 +12,11 @@ use triquad::augmentation::Augmentation;
 /// Time, memory and disk.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
-    /// Wall-clock time, one run after another.
+    /// Wall-clock time, one run after another, without external programs.
     pub seconds: f64,
-    /// Most memory of one process.
+    /// Number of runs of external programs: nothing is known of these.
+    pub external_runs: usize,
+    /// Most memory of one process, without external programs.
     pub memory_bytes: f64,
     /// Most room for meshes at once, the cache included.
     pub disk_bytes: f64,
@@ -29,8 +31,11 @@ const TREE_SECONDS: f64 = 2.0e-9;
 /// The graph of `rebuild`, for each triangle of the mesh.
 const GRAPH_SECONDS: f64 = 0.2e-6;
 
-/// Returns the seconds that one run takes.
-pub fn run_seconds(mesh: &PlannedMesh, run: &PlannedRun) -> f64 {
+/// Returns the seconds that one run takes; `None` for an external program.
+pub fn run_seconds(mesh: &PlannedMesh, run: &PlannedRun) -> Option<f64> {
+    if run.job.is_program() {
+        return None;
+    }
     let n = f64::from(mesh.triangles);
     let facts = run.job.facts();
     let [a_triangle, a_handle, once] = facts.unpaired;
@@ -41,7 +46,7 @@ pub fn run_seconds(mesh: &PlannedMesh, run: &PlannedRun) -> f64 {
         Job::Convert { augmentation: Augmentation::Rebuild, .. } => GRAPH_SECONDS * n,
         _ => 10e-6,
     };
-    START_SECONDS + (FRAME_SECONDS + facts.seconds) * n + paths * a_path
+    Some(START_SECONDS + (FRAME_SECONDS + facts.seconds) * n + paths * a_path)
 }
 
 fn run_memory(mesh: &PlannedMesh, job: Job) -> f64 {
@@ -56,13 +61,18 @@ fn making(mesh: &PlannedMesh) -> Estimate {
         Recipe::Box(_) | Recipe::PaperBox { .. } | Recipe::StarredBipyramid { .. } => {
             let seconds = 0.3e-6 * f64::from(mesh.triangles);
             let memory_bytes = 60.0 * f64::from(mesh.triangles);
-            return Estimate { seconds, memory_bytes, disk_bytes: file };
+            return Estimate { seconds, memory_bytes, disk_bytes: file, ..Estimate::default() };
         }
         Recipe::SimplifiedBox { of, .. } => of.vertices() as f64,
         Recipe::StandIn { vertices, .. } => 3.0 * f64::from(vertices),
     };
     // A box is simplified once for all the meshes on the way: a share each.
-    Estimate { seconds: 3e-6 * vertices, memory_bytes: 300.0 * vertices, disk_bytes: file }
+    Estimate {
+        seconds: 3e-6 * vertices,
+        memory_bytes: 300.0 * vertices,
+        disk_bytes: file,
+        ..Estimate::default()
+    }
 }
 
 impl Estimate {
@@ -79,7 +89,11 @@ impl Estimate {
                 total.disk_bytes = kept;
             }
             for run in &block.runs {
-                total.seconds += run_seconds(&block.mesh, run);
+                let Some(seconds) = run_seconds(&block.mesh, run) else {
+                    total.external_runs += 1;
+                    continue;
+                };
+                total.seconds += seconds;
                 total.memory_bytes = total.memory_bytes.max(run_memory(&block.mesh, run.job));
             }
         }

@@ -7,7 +7,7 @@ use triquad::pairing::{Algorithm, Expansion};
 
 use super::task::Task;
 use crate::algorithms::AlgorithmFacts;
-use crate::nearest::nearest;
+use crate::nearest::likely;
 
 /// Stands for augmentation or order in the records of programs that are not ours.
 const EXTERNAL: &str = "external";
@@ -58,17 +58,21 @@ pub struct JobNames<S> {
 
 /// A name that no algorithm, variant, augmentation or order has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{name:?} is none of {known}; the nearest is {nearest:?}")]
+#[error(
+    "{name:?} is none of {known}{}",
+    .nearest.as_ref().map_or(String::new(), |one| format!("; the nearest is {one:?}"))
+)]
 pub struct UnknownNameError {
     name: String,
     known: String,
-    nearest: String,
+    /// The known name that is probably meant.
+    nearest: Option<String>,
 }
 
 impl UnknownNameError {
-    /// Names `name`, what it may be, and what it is most like.
+    /// Names `name`, what it may be, and what is probably meant.
     pub(crate) fn new(name: &str, known: &[&str]) -> Self {
-        let nearest = nearest(name, known.iter().copied()).unwrap_or_default().into();
+        let nearest = likely(name, known.iter().copied()).map(str::to_owned);
         Self { name: name.into(), known: known.join(", "), nearest }
     }
 

@@ -3,7 +3,7 @@
 //! Data flows one way: an experiment file becomes a plan, a plan becomes runs, a run becomes one
 //! row of `runs.csv`. Reports read those rows, and the pictures beside them.
 
-mod command_line;
+pub mod command_line;
 mod completion;
 pub mod data_folder;
 pub mod estimate;

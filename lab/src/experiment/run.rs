@@ -38,16 +38,28 @@ pub struct Runner {
     pub jobs: u32,
 }
 
+/// The runs that are to be done.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct OpenRuns {
+    /// Number of all.
+    pub runs: usize,
+    /// Number of those of external programs.
+    pub external: usize,
+    /// Seconds that the others may take.
+    pub seconds: f64,
+}
+
 /// Receives progress events.
 pub trait RunObserver: Sync {
-    /// Called once before anything runs, with the seconds that all open runs may take.
-    fn begin(&self, _runs: usize, _seconds: f64) {}
+    /// Called once before anything runs.
+    fn begin(&self, _open: OpenRuns) {}
     /// Called before a mesh is made or read.
     fn preparing(&self, _mesh: &PlannedMesh) {}
     /// Called before a run.
     fn running(&self, _block: &Block, _run: &PlannedRun) {}
-    /// Called after a run; `estimate` was its part of the seconds of `begin`.
-    fn finished(&self, _record: &RunRecord, _estimate: f64) {}
+    /// Called after a run; `estimate` was its part of the seconds of `begin`, `None` for an
+    /// external program.
+    fn finished(&self, _record: &RunRecord, _estimate: Option<f64>) {}
     /// Called when all runs of a block have their rows.
     ///
     /// # Errors
@@ -111,8 +123,7 @@ impl Runner {
 
 impl<C: Clock + Sync> Execution<'_, C> {
     fn all(&self, plan: &Plan, workshop: &Workshop) -> io::Result<()> {
-        let (runs, seconds) = self.left(plan);
-        self.observer.begin(runs, seconds);
+        self.observer.begin(self.left(plan));
         let mut at_hand: Option<AtHand> = None;
         for block in &plan.blocks {
             let open = self.open_runs(block);
@@ -140,16 +151,18 @@ impl<C: Clock + Sync> Execution<'_, C> {
         Ok(())
     }
 
-    /// Returns how many runs are open, and the seconds that they may take.
-    fn left(&self, plan: &Plan) -> (usize, f64) {
-        let (mut runs, mut seconds) = (0, 0.0);
+    fn left(&self, plan: &Plan) -> OpenRuns {
+        let mut open = OpenRuns::default();
         for block in &plan.blocks {
             for run in self.open_runs(block) {
-                runs += 1;
-                seconds += run_seconds(&block.mesh, run);
+                open.runs += 1;
+                match run_seconds(&block.mesh, run) {
+                    Some(seconds) => open.seconds += seconds,
+                    None => open.external += 1,
+                }
             }
         }
-        (runs, seconds)
+        open
     }
 
     fn open_runs<'b>(&self, block: &'b Block) -> Vec<&'b PlannedRun> {

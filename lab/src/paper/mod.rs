@@ -224,12 +224,6 @@ impl Paper {
         }
     }
 
-    /// Returns the group of that name, if it has one; `data` is for meshes that it does not have.
-    pub fn group_named(self, name: &str) -> Option<&'static str> {
-        let groups = Table::of_kind(self, TableKind::Meshes).map(|table| table.group);
-        groups.chain(["data"]).find(|group| *group == name)
-    }
-
     /// Returns the group of a mesh in its tables; `data` for a mesh that it does not have.
     pub fn group_of(self, mesh: &str) -> &'static str {
         let has = |table: &Table| table.mesh_rows().iter().any(|row| row.mesh == mesh);

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use super::summary::{Cell, Summary};
+use crate::counted::counted;
 use crate::experiment::Results;
 use crate::experiment::results::DamagedRow;
 
@@ -66,7 +67,10 @@ impl fmt::Display for Defect {
             Self::Damaged(DamagedRow { line, problem, .. }) => {
                 write!(f, "runs.csv, line {line}: damaged and left out: {problem}")
             }
-            Self::Missing(cell, runs) => write!(f, "{cell}: {runs} planned runs have no row"),
+            Self::Missing(cell, runs) => {
+                let runs = counted(*runs, "planned run has", "planned runs have");
+                write!(f, "{cell}: {runs} no row")
+            }
             Self::Failed(cell, outcomes, reason) if reason.is_empty() => {
                 write!(f, "{cell}: {outcomes}")
             }

@@ -14,6 +14,16 @@ pub fn significant(value: f64) -> String {
     }
 }
 
+/// Writes seconds in four significant digits, down to a millionth, never with an exponent.
+pub fn seconds(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".into(),
+        short if short < 1e-4 => format!("{value:.6}"),
+        long if long >= 1e7 => format!("{value:.0}"),
+        _ => significant(value),
+    }
+}
+
 /// Puts commas between thousands.
 pub fn grouped(number: &str) -> String {
     let (whole, rest) = number.split_at(number.find(['.', 'e']).unwrap_or(number.len()));
@@ -57,6 +67,21 @@ mod tests {
         ];
         for (value, expected) in written {
             assert_eq!(significant(value), expected);
+        }
+    }
+
+    #[test]
+    fn seconds_have_no_exponent() {
+        let written = [
+            (0.0, "0"),
+            (1.798e-5, "0.000018"),
+            (-1.798e-5, "-0.000018"),
+            (0.000_123_44, "0.0001234"),
+            (4.987_000_9, "4.987"),
+            (12_345_678.0, "12345678"),
+        ];
+        for (value, expected) in written {
+            assert_eq!(seconds(value), expected);
         }
     }
 

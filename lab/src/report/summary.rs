@@ -14,8 +14,8 @@ use crate::paper::Paper;
 pub struct Cell {
     /// The job that is repeated.
     pub id: RunId,
-    /// Group of the mesh as the paper has it: that of the experiment if the paper has one of that
-    /// name, else that of its tables, else `data`.
+    /// Group of the mesh in the tables of the paper, whatever the experiment file calls it; `data`
+    /// for a mesh that the paper does not have.
     pub group: &'static str,
     /// Origin of the mesh; `None` where no run of the mesh has a row.
     pub origin: Option<Origin>,
@@ -53,8 +53,7 @@ impl Summary {
             cell.runs.sort_by_key(|run| run.repetition);
             let (paper, mesh) = (Paper::on(cell.id.job.task()), cell.id.mesh.name.clone());
             let place = (paper.task(), mesh);
-            let of_mesh = groups.entry(place).or_insert_with_key(|(_, mesh)| paper.group_of(mesh));
-            cell.group = paper.group_named(&cell.id.mesh.group).unwrap_or(of_mesh);
+            cell.group = groups.entry(place).or_insert_with_key(|(_, mesh)| paper.group_of(mesh));
         }
         set_origins_and_sort(&mut cells);
         Self { cells }
@@ -89,13 +88,12 @@ impl Summary {
         self.cells.iter().filter(move |cell| cell.id.job.task() == paper.task())
     }
 
-    /// Returns a cell on each mesh of a paper, by group. O(cells · meshes).
-    ///
-    /// Several experiments may have runs on a mesh: it is there once for each group all the same.
+    /// Returns a cell on each mesh of a paper, once even if several experiments or groups have runs
+    /// on it. O(cells · meshes).
     pub fn meshes(&self, paper: Paper) -> Vec<&Cell> {
         let mut meshes: Vec<&Cell> = Vec::new();
         for cell in self.of_paper(paper) {
-            if meshes.iter().all(|seen| (seen.mesh(), seen.group) != (cell.mesh(), cell.group)) {
+            if meshes.iter().all(|seen| seen.mesh() != cell.mesh()) {
                 meshes.push(cell);
             }
         }
@@ -256,8 +254,9 @@ fn set_origins_and_sort(cells: &mut [Cell]) {
         (
             (rank(&papers, &id.experiment), name(&id.experiment)),
             id.scale,
-            (rank(&["scans", "A", "B", "C", "D", "data"], &id.group), name(&id.group)),
+            rank(&["scans", "A", "B", "C", "D", "data"], cell.group),
             (mesh_rank(&id.name), known[&mesh(id)].1, name(&id.name)),
+            name(&id.group),
             (job.facts().rank(), job.facts().name),
             Reverse(job.names().augmentation),
             job.names().order,

@@ -78,6 +78,52 @@ fn records_as_printed_reproduce_every_claim_that_is_consistent() {
     assert!(found.ours.contains("ours × 1.000: botijo 0.7217 (printed 0.7217)"), "{}", found.ours);
 }
 
+#[test]
+fn printed_seconds_are_quoted_and_ours_are_scaled_to_them() {
+    let mut results = of_the_papers();
+    for run in results.records.iter_mut().filter(|run| run.id.job.algorithm() != "rs") {
+        for name in ["pairing_seconds", "augmentation_seconds"] {
+            multiply(run, name, 4.0);
+        }
+    }
+    let verdicts = judged(&results);
+    let seconds = |id: &str| verdicts.iter().find(|judged| judged.id == id).unwrap();
+    let sg = seconds("seconds-sg");
+    assert_eq!(
+        sg.paper,
+        "botijo 4.987; eros 813.2; filigree 11.17; gargoyle 213.0; happy-buddha 756.4; \
+         iphigenia 779.4"
+    );
+    assert!(
+        sg.ours.starts_with("estimates, ours × 0.2500: botijo 4.987 (printed 4.987); eros 813.2"),
+        "{}",
+        sg.ours
+    );
+    for judged in verdicts.iter().filter(|judged| judged.kind == ClaimKind::Seconds) {
+        assert!(!judged.paper.contains("estimates"), "{}", judged.paper);
+        assert_eq!(judged.verdict, Verdict::NotComparable, "{}", judged.id);
+    }
+}
+
+#[test]
+fn what_is_not_comparable_has_no_crosses() {
+    let mut results = of_the_papers();
+    for run in &mut results.records {
+        for name in ["unpaired_triangles", "link_condition_tests", "seconds"] {
+            multiply(run, name, 3.0);
+        }
+    }
+    let crossed = |results: &Results| {
+        let verdicts = judged(results).into_iter();
+        let crossed = verdicts.filter(|judged| judged.detail().contains('✗'));
+        crossed.map(|judged| judged.verdict).collect::<Vec<_>>()
+    };
+    assert!(crossed(&results).contains(&Verdict::Differs));
+    results.records.iter_mut().for_each(|run| run.id.mesh.scale = Scale::Demo);
+    results.planned.iter_mut().for_each(|cell| cell.id.mesh.scale = Scale::Demo);
+    assert!(!crossed(&results).contains(&Verdict::NotComparable));
+}
+
 /// Numbers of one algorithm a thousand times larger or smaller, on all meshes, on one or on every
 /// other, refute any claim about it.
 #[test]

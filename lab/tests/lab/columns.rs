@@ -31,9 +31,11 @@ fn table_of(file: &str) -> &str {
     }
 }
 
-fn listed() -> Vec<Listed> {
+/// The columns in the section of that name.
+fn listed(section: &str) -> Vec<Listed> {
     let text = std::fs::read_to_string(results().join("README.md")).unwrap();
-    let (_, columns) = text.split_once("\n## Columns\n").unwrap();
+    let (_, columns) = text.split_once(&format!("\n## {section}\n")).expect(section);
+    let columns = columns.split("\n## ").next().unwrap();
     let rows = columns.lines().filter(|line| line.starts_with("| `"));
     let mut listed = Vec::new();
     for row in rows {
@@ -83,7 +85,7 @@ impl Listed {
 
 #[test]
 fn every_column_of_the_tables_is_listed() {
-    let (listed, columns) = (listed(), columns());
+    let (listed, columns) = (listed("Columns"), columns());
     assert!(columns.iter().any(|column| column.table == "side_by_side"));
     let unlisted = columns.iter().filter(|column| !listed.iter().any(|one| one.is(column)));
     let unlisted: BTreeSet<String> =
@@ -94,11 +96,32 @@ fn every_column_of_the_tables_is_listed() {
 #[test]
 fn every_column_that_is_listed_is_in_the_tables_named_beside_it() {
     let columns = columns();
-    for one in listed() {
+    for one in listed("Columns") {
         for table in &one.tables {
             let has =
                 |column: &Column| (table == "all" || column.table == *table) && one.is(column);
             assert!(columns.iter().any(has), "{} is not in {table}", one.name);
         }
+    }
+}
+
+/// Both ways: what is there is listed, what is listed is in some folder. Older records have fewer
+/// columns.
+#[test]
+fn the_columns_of_runs_plan_and_verdicts_are_those_of_the_files() {
+    let listed = listed("Columns of runs, plan and verdicts");
+    for file in ["runs", "plan", "compare", "tolerances"] {
+        let folders = std::fs::read_dir(results()).unwrap().map(|entry| entry.unwrap().path());
+        let files =
+            folders.filter(|path| path.is_dir()).map(|path| path.join(format!("{file}.csv")));
+        let header = |path: PathBuf| {
+            let text = std::fs::read_to_string(path).unwrap();
+            text.lines().next().unwrap().to_owned()
+        };
+        let headers: Vec<String> = files.map(header).collect();
+        let found: BTreeSet<&str> = headers.iter().flat_map(|header| header.split(',')).collect();
+        let of_file = listed.iter().filter(|one| one.tables.iter().any(|name| name == file));
+        let expected: BTreeSet<&str> = of_file.map(|one| one.name.as_str()).collect();
+        assert_eq!(found, expected, "{file}.csv");
     }
 }

@@ -6,6 +6,7 @@ mod damaged_files;
 mod documents;
 mod figures;
 mod generate;
+mod imports;
 mod page;
 mod paper_tables;
 mod plots;

@@ -5,8 +5,9 @@ use std::process::Command;
 
 use roxmltree::{Document, Node, ParsingOptions};
 use triquad::augmentation::Augmentation;
-use triquad_lab::experiment::results::DamagedRow;
-use triquad_lab::experiment::{Outcome, Results, RunRecord};
+use triquad_lab::algorithms::AlgorithmFacts;
+use triquad_lab::experiment::results::{DamagedRow, MachineFacts};
+use triquad_lab::experiment::{Job, Outcome, Results, RunRecord, Task};
 use triquad_lab::meshes::paper::Scale;
 use triquad_lab::meshes::{MeshKind, Origin};
 use triquad_lab::paper::Table;
@@ -25,7 +26,15 @@ fn page_with_plots(results: &Results) -> String {
     page_with(results, &plots::all(&Summary::new(results)))
 }
 
+fn page_without_pictures(results: &Results) -> String {
+    page_of_parts(results, &[], &[])
+}
+
 fn page_with(results: &Results, plots: &[Plot]) -> String {
+    page_of_parts(results, plots, &pictures())
+}
+
+fn page_of_parts(results: &Results, plots: &[Plot], pictures: &[PictureFile]) -> String {
     let summary = Summary::new(results);
     let tables = tables::all(&summary);
     page::render(&Parts {
@@ -35,7 +44,7 @@ fn page_with(results: &Results, plots: &[Plot]) -> String {
         comparison: &compare::judge(&summary),
         tolerances: &compare::tolerances(&summary),
         plots,
-        pictures: &pictures(),
+        pictures,
         defects: &Defect::all(results, &summary),
     })
 }
@@ -83,8 +92,19 @@ fn elements<'a>(page: &'a Document<'a>, name: &'a str) -> impl Iterator<Item = N
     page.descendants().filter(move |node| node.is_element() && node.tag_name().name() == name)
 }
 
-/// Checks what holds of every page, whatever the records.
+/// Checks what holds of every page about the papers' experiments.
 fn check(page: &str) {
+    check_form(page);
+    let tables = Table::ALL.map(|table| table.file.trim_end_matches(".csv").replace('_', "-"));
+    let figures = ["5-11", "5-12", "5-13", "5-14", "14", "15", "16", "17", "18"];
+    for id in tables.into_iter().chain(figures.map(|number| format!("figure-{number}"))) {
+        assert!(page.contains(&format!("id=\"{id}\"")), "{id} cannot be found");
+        assert!(page.contains(&format!("href=\"#{id}\"")), "{id} is not in the contents");
+    }
+}
+
+/// Checks what holds of every page, whatever the records.
+fn check_form(page: &str) {
     let document = parsed(page);
     let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
     let known: HashSet<&str> = ids.iter().copied().collect();
@@ -113,12 +133,13 @@ fn check(page: &str) {
     }
     assert!(elements(&document, "th").all(|cell| cell.attribute("scope").is_some()));
     assert!(elements(&document, "img").all(|image| image.attribute("alt") != Some("")));
-    let tables = Table::ALL.map(|table| table.file.trim_end_matches(".csv").replace('_', "-"));
-    let figures = ["5-11", "5-12", "5-13", "5-14", "14", "15", "16", "17", "18"];
-    for id in tables.into_iter().chain(figures.map(|number| format!("figure-{number}"))) {
-        assert!(known.contains(id.as_str()), "{id} cannot be found");
-        assert!(page.contains(&format!("href=\"#{id}\"")), "{id} is not in the contents");
-    }
+}
+
+/// The headings of the sections, in order, without that of the contents.
+fn headings(page: &str) -> Vec<String> {
+    let document = parsed(page);
+    let headings = elements(&document, "h2").filter(|heading| heading.attribute("id").is_some());
+    headings.map(|heading| heading.text().unwrap().to_owned()).collect()
 }
 
 #[test]
@@ -207,6 +228,166 @@ fn no_records_give_a_page_that_says_so() {
     assert!(page.contains("Nothing is recorded for this figure."));
 }
 
+/// A run of PS on a mesh of somebody's own.
+fn own_run(group: &str) -> RunRecord {
+    let mut run = crate::records::run("mine", group, "botijo", "ps");
+    run.id.mesh.name = "chair".into();
+    run.measured.unpaired_triangles = Some(4);
+    run.measured.total_seconds = Some(0.25);
+    run
+}
+
+/// Sections that every page has at its end.
+const LAST: [&str; 4] = [
+    "Limits, and what is not comparable",
+    "What is missing or damaged",
+    "Machines and builds",
+    "Commands",
+];
+
+#[test]
+fn own_results_come_first_under_their_name_and_nothing_is_said_of_what_nobody_ran() {
+    let plain = |page: &str| page.replace(" open=\"\"", "");
+    for group in ["scans", "own"] {
+        let run = own_run(group);
+        let planned = vec![crate::records::planned(&run, 1)];
+        let machines = [(run.machine.clone(), MachineFacts::new())].into();
+        let results = Results { planned, machines, records: vec![run], ..Results::default() };
+        let page = page_without_pictures(&results);
+        check_form(&page);
+        assert!(page.contains("<title>Results: mine (triquad)</title>"), "{group}");
+        assert!(page.contains("<h1>Results: mine</h1>"), "{group}");
+        assert!(page.contains("This page is made of 1 recorded run."), "{page:.3000}");
+        let sections: Vec<String> =
+            ["Tables", "Definitions"].into_iter().chain(LAST).map(str::to_owned).collect();
+        assert_eq!(headings(&page), sections, "{group}");
+        let tables = plain(&page);
+        let first = tables.find("<details id=").map(|at| &tables[at..at + 29]);
+        assert_eq!(first, Some("<details id=\"table-data\"><sum"), "{group}");
+        assert!(page.contains("<p>Nothing: every planned run has a row"), "{group}");
+        for absent in ["0 of 0", "class=\"warning\"", "class=\"missing\"", "table-augmentation"] {
+            assert!(!page.contains(absent), "{group}: {absent}");
+        }
+    }
+}
+
+#[test]
+fn beside_own_results_the_papers_have_only_what_was_run() {
+    // A program on a mesh of the paper, and an import that calls itself by the paper's name.
+    let mut program = own_run("own");
+    program.id.mesh.name = "botijo".into();
+    program.id.job = Job::program(Task::Convert, "mymatch");
+    let mut imported = program.clone();
+    imported.id.mesh.experiment = "comparison".into();
+    imported.machine = "imported mymatch".into();
+    for (run, name) in [(program, "mine"), (imported, "mymatch")] {
+        // There is no plan.
+        let machines = [(run.machine.clone(), MachineFacts::new())].into();
+        let records = vec![run];
+        let page = page_without_pictures(&Results { machines, records, ..Results::default() });
+        check_form(&page);
+        assert!(page.contains(&format!("<h1>Results: {name}</h1>")), "{name}");
+        let sections = ["Tables", "Comparison paper", "Definitions", "References"];
+        let sections: Vec<String> = sections.into_iter().chain(LAST).map(str::to_owned).collect();
+        assert_eq!(headings(&page), sections, "{name}");
+        for id in ["table-4-1", "table-4-3"] {
+            assert!(page.contains(&format!("<details id=\"{id}\" open=\"\">")), "{name}: {id}");
+        }
+        assert!(!page.contains("table-4-2-a") && !page.contains("figure-"), "{name}");
+        assert!(!page.contains("<th scope=\"row\">eros"), "{name}: a mesh that nobody ran");
+        assert!(page.contains("1 thing is missing or damaged: see the list below."), "{name}");
+    }
+    // Among the papers' own runs they change nothing of the order.
+    let mut results = both_augmentations();
+    results.records.push(own_run("own"));
+    let page = page_of(&results);
+    assert!(page.contains("<h1>Two papers on triangulations, run again</h1>"));
+    let sections = [
+        "What was found",
+        "Definitions",
+        "Verdicts",
+        "What changes with a better augmentation",
+        "Comparison paper",
+        "Paper on irreducible triangulations",
+        "More plots",
+        "More tables",
+        "References",
+    ];
+    let sections: Vec<String> = sections.into_iter().chain(LAST).map(str::to_owned).collect();
+    assert_eq!(headings(&page), sections);
+}
+
+#[test]
+fn findings_without_evidence_are_left_out() {
+    let mut results = crate::records::of_the_papers();
+    let has_all = page_of(&results);
+    assert_eq!(has_all.matches("See the counts").count(), 1);
+    assert!(has_all.contains("RS visits fewer link vertices than S on "));
+    results.records.retain(|run| run.id.mesh.experiment == "comparison");
+    let page = page_of(&results);
+    assert!(page.contains("<h1>Two papers") && page.contains("these are reproduced: "));
+    assert!(!page.contains("0 of 0") && !page.contains("See the counts"), "{page:.4000}");
+    results.records.truncate(1);
+    assert!(page_of(&results).contains("These records decide none of the "));
+}
+
+/// The texts of the cells of a table's row, found by its mesh and algorithm, with their classes.
+fn cells_of(page: &str, table: &str, row: [&str; 2]) -> Vec<Vec<(String, String)>> {
+    let document = parsed(page);
+    let table = document.descendants().find(|node| node.attribute("id") == Some(table)).unwrap();
+    let text = |node: Node| node.text().unwrap_or_default().trim().to_owned();
+    let is_row = |node: &Node| {
+        let mut cells = node.children().filter(Node::is_element);
+        node.has_tag_name("tr")
+            && row.iter().all(|name| cells.next().is_some_and(|c| text(c) == *name))
+    };
+    let row = table.descendants().find(is_row).expect(row[0]);
+    let cells = row.children().filter(|node| node.has_tag_name("td"));
+    let parts = |cell: Node| {
+        let elements = cell.children().filter(Node::is_element);
+        let smalls =
+            elements.map(|part| (part.attribute("class").unwrap_or_default().into(), text(part)));
+        std::iter::once((String::new(), text(cell))).chain(smalls).collect()
+    };
+    cells.map(parts).collect()
+}
+
+#[test]
+fn times_of_two_machines_are_not_compared_and_no_difference_is_a_fault() {
+    let mut results = crate::records::of_the_papers();
+    for run in &mut results.records {
+        let measured = &mut run.measured;
+        for seconds in [&mut measured.pairing_seconds, &mut measured.augmentation_seconds] {
+            *seconds = seconds.map(|seconds| seconds / 1000.0);
+        }
+        measured.unpaired_triangles = measured.unpaired_triangles.map(|count| 2 * count);
+    }
+    let page = page_of(&results);
+    let cells = cells_of(&page, "table-4-3", ["botijo", "LRS"]);
+    let part = |class: &str, text: &str| (class.to_owned(), text.to_owned());
+    // (a), seconds: a thousand times as fast as printed.
+    assert_eq!(cells[1], [part("", "0.0007035"), part("", "paper 0.7035")]);
+    assert_eq!(cells[4], [part("", "0.000018"), part("", "paper 0.01820")]);
+    // (c), a count.
+    let twice = [part("", "124"), part("", "paper 62"), part("difference more", "▲ × 2.000")];
+    assert_eq!(cells[3], twice);
+    let style = page.split("<style>").nth(1).unwrap().split("</style>").next().unwrap();
+    let rule = style.lines().find(|line| line.starts_with(".difference.more")).unwrap();
+    assert!(rule.contains("var(--other)") && !rule.contains("--bad"), "{rule}");
+}
+
+#[test]
+fn every_algorithm_is_defined_where_it_was_run() {
+    let page = page_of(&crate::records::of_the_papers());
+    for facts in AlgorithmFacts::all() {
+        let words = format!("<dt>{}</dt><dd>{}</dd>", facts.label, facts.meaning);
+        assert!(page.contains(&words.replace('\'', "&#x27;")), "{words}");
+    }
+    let results = Results { records: vec![own_run("own")], ..Results::default() };
+    let page = page_of(&results);
+    assert!(page.contains("<dt>PS</dt><dd>Pulli and Segal") && !page.contains("<dt>SG</dt>"));
+}
+
 #[test]
 fn what_is_missing_damaged_or_failed_is_listed_and_escaped() {
     let mut results = crate::records::of_the_papers();
@@ -219,10 +400,12 @@ fn what_is_missing_damaged_or_failed_is_listed_and_escaped() {
     results.damaged.push(DamagedRow { line: 77, text: "x".into(), problem });
     let page = page_of(&results);
     check(&page);
-    assert!(page.contains("PS on botijo: 1 planned runs have no row"));
+    assert!(page.contains("PS on botijo: 1 planned run has no row"));
     assert!(page.contains("timeout 1 (more than &lt;1200&gt; seconds)"));
     assert!(page.contains("line 77: damaged and left out: a &lt;script&gt; &amp; more"));
     assert!(page.contains("nothing about the machine bench"));
+    assert!(page_without_pictures(&results).contains("no picture is there"));
+    assert!(!page.contains("no picture is there"));
 }
 
 #[test]

@@ -277,6 +277,26 @@ fn what_edge_flips_and_memory_cost_has_a_table() {
 }
 
 #[test]
+fn names_of_groups_change_no_table() {
+    let mut results = of_the_papers();
+    let mut own = run("comparison", "data", "socket", "tq");
+    own.id.mesh.name = "zebra".into();
+    results.planned.push(planned(&own, 2));
+    results.records.push(own);
+    let csv = |results: &Results| {
+        let tables = tables::all(&Summary::new(results));
+        tables.iter().map(|table| (table.file, table.csv())).collect::<Vec<_>>()
+    };
+    let expected = csv(&results);
+    assert!(expected.iter().any(|table| table.1.contains("\nzebra,TQ,")));
+    for group in ["scans", "A", "data", "mine"] {
+        results.records.iter_mut().for_each(|run| run.id.mesh.group = group.into());
+        results.planned.iter_mut().for_each(|planned| planned.id.mesh.group = group.into());
+        assert_eq!(csv(&results), expected, "{group}");
+    }
+}
+
+#[test]
 fn every_table_is_rectangular_and_has_a_file_of_its_own() {
     let tables = tables::all(&Summary::new(&of_the_papers()));
     let files: BTreeSet<&str> = tables.iter().map(|table| table.file).collect();

@@ -9,6 +9,24 @@ pub enum ImportError {
     /// It is no table of comma-separated values.
     #[error("it cannot be read: {0}")]
     Csv(#[from] csv::Error),
+    /// Its values are separated otherwise.
+    #[error(
+        "its values are separated by {0}; save it with commas between values, and points in numbers"
+    )]
+    Separator(&'static str),
+    /// A row has more or fewer fields than the first line.
+    #[error(
+        "line {line}: {fields} where the first line has {names}; a comma within a field needs \
+         quotes round the field, and numbers have a point"
+    )]
+    Fields {
+        /// Line, from 1.
+        line: u64,
+        /// Number of its fields, in words.
+        fields: String,
+        /// Number of fields of the first line.
+        names: u64,
+    },
     /// The name of the algorithm would break tables, or be a formula in them.
     #[error(
         "no algorithm can be called {0:?}: give it a name of up to {longest} characters, the first \
@@ -26,31 +44,31 @@ pub enum ImportError {
     #[error("it has no rows")]
     NoRows,
     /// A column is not known.
-    #[error(
-        "the column {name:?} is not known; the nearest name is {nearest:?}: --map \
-         \"{name}={nearest}\", or --map \"{name}=-\" to leave it out"
-    )]
+    #[error("the column {name:?} is not known; {}", remedy_of(.name, .nearest.as_deref()))]
     UnknownColumn {
         /// The column.
         name: String,
-        /// The known name that is most like it.
-        nearest: String,
+        /// The known name that is probably meant.
+        nearest: Option<String>,
     },
     /// A mapping leads to no known name.
-    #[error("--map: {name:?} is no column of runs.csv; the nearest is {nearest:?}")]
+    #[error(
+        "--map: {name:?} is no column of runs.csv{}",
+        .nearest.as_ref().map_or(EXAMPLES.into(), |one| format!("; the nearest is {one:?}"))
+    )]
     UnknownTarget {
         /// The name.
         name: String,
-        /// The known name that is most like it.
-        nearest: String,
+        /// The known name that is probably meant.
+        nearest: Option<String>,
     },
     /// A mapping is of a column that the file does not have.
-    #[error("--map: the file has no column {name:?}; the nearest is {nearest:?}")]
+    #[error("--map: the file has no column {name:?}; it has {has}")]
     UnknownSource {
         /// The name.
         name: String,
-        /// The column that is most like it.
-        nearest: String,
+        /// The columns of the file.
+        has: String,
     },
     /// Two columns would be the same.
     #[error("two columns are {0:?}; leave one out: --map \"NAME=-\"")]
@@ -69,16 +87,51 @@ pub enum ImportError {
         /// The known mesh that is most like it, if it is but a slip away.
         nearest: Option<String>,
     },
+    /// A row does not say of which mesh it is.
+    #[error("line {line}, column {column:?}: it is empty; every row needs a mesh")]
+    EmptyMesh {
+        /// Line, from 1.
+        line: u64,
+        /// The column, as in the file.
+        column: String,
+    },
+    /// A row that ended well has no number.
+    #[error(
+        "line {line}, column {column:?}: it is empty, and the row has no other number; leave the \
+         row out, or name how the run ended in a column \"outcome\""
+    )]
+    EmptyRow {
+        /// Line, from 1.
+        line: u64,
+        /// The first column with a number, as in the file.
+        column: String,
+    },
     /// A field is not what its column is.
     #[error("line {line}, column {column:?}: {value:?} is no {expected}")]
     BadField {
         /// Line, from 1.
         line: u64,
-        /// The column, as in `runs.csv`.
+        /// The column, as in the file.
         column: String,
         /// The text there.
         value: String,
         /// The expected text.
         expected: &'static str,
     },
+}
+
+/// Examples of columns.
+const EXAMPLES: &str = ", as \"total_seconds\" and \"unpaired_triangles\" are";
+
+/// Returns what to do about a column that is not known.
+fn remedy_of(name: &str, nearest: Option<&str>) -> String {
+    let leave_out = format!("--map \"{name}=-\" to leave it out");
+    match nearest {
+        Some(nearest) => {
+            format!("the nearest name is {nearest:?}: --map \"{name}={nearest}\", or {leave_out}")
+        }
+        None => {
+            format!("--map \"{name}=NAME\" with a column of runs.csv{EXAMPLES}, or {leave_out}")
+        }
+    }
 }

@@ -17,9 +17,10 @@ use super::record::{Outcome, RunRecord};
 use super::results::{Planned, column_names};
 use super::run_id::{MeshId, RunId};
 use super::task::Task;
+use crate::counted::counted;
 use crate::meshes::paper::{self, PaperMesh, Scale};
 use crate::meshes::{MeshKind, Recipe};
-use crate::nearest::{nearest, slip_of};
+use crate::nearest::{likely, slip_of};
 use crate::paper::Paper;
 
 /// Options for reading a file.
@@ -77,6 +78,9 @@ const PLACE_COLUMNS: [&str; 11] = [
     "process_seconds",
 ];
 
+/// Those of them that are whole numbers.
+const COUNTS_OF_PLACE: [&str; 4] = ["repetition", "seed", "parallel_jobs", "stopped_after_paths"];
+
 /// Columns that belong to the mesh: they alone are no result.
 const SIZES: [&str; 5] = ["vertices", "edges", "triangles", "genus", "components"];
 
@@ -99,10 +103,13 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
         return Err(ImportError::Name(settings.algorithm.clone()));
     }
     let text = text.trim_start_matches('\u{feff}');
+    if let Some(separator) = foreign_separator(text) {
+        return Err(ImportError::Separator(separator));
+    }
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
     let header = reader.headers()?.clone();
     let columns = columns(&header, settings)?;
-    let rows = reader.records().collect::<Result<Vec<StringRecord>, _>>()?;
+    let rows = reader.records().collect::<Result<Vec<StringRecord>, _>>().map_err(fault_of_row)?;
     let first = rows.first().ok_or(ImportError::NoRows)?;
     let mesh_of_first = columns.iter().position(|column| column == "mesh").map(|at| &first[at]);
     let job = job(settings, &columns, mesh_of_first.unwrap_or_default());
@@ -111,7 +118,8 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
     let names = StringRecord::from(columns.clone());
     let mut imported = Imported { records: Vec::new(), rounded: 0 };
     for row in rows {
-        let row = checked(&row, &columns, &mut imported.rounded)?;
+        let row = checked(&row, &columns, &header, &mut imported.rounded)?;
+        refuse_empty(&row, &columns, &header)?;
         let record = record(&row, &names, job, settings, &imported.records)?;
         imported.records.push(record);
     }
@@ -133,20 +141,65 @@ impl Imported {
     }
 }
 
+/// Returns what stands between values in place of commas, if the first line has more of it.
+fn foreign_separator(text: &str) -> Option<&'static str> {
+    let first = text.lines().next().unwrap_or_default();
+    let count = |separator: char| first.matches(separator).count();
+    let others = [(';', "semicolons"), ('\t', "tabs"), ('|', "vertical bars")];
+    others.into_iter().find(|(other, _)| count(*other) > count(',')).map(|other| other.1)
+}
+
+fn fault_of_row(error: csv::Error) -> ImportError {
+    match *error.kind() {
+        csv::ErrorKind::UnequalLengths { ref pos, expected_len, len } => ImportError::Fields {
+            line: pos.as_ref().map_or(0, csv::Position::line),
+            fields: counted(len as usize, "field", "fields"),
+            names: expected_len,
+        },
+        _ => error.into(),
+    }
+}
+
+/// Refuses a row without a mesh, and one that ended well without any number.
+fn refuse_empty(
+    row: &StringRecord,
+    columns: &[String],
+    header: &StringRecord,
+) -> Result<(), ImportError> {
+    let line = row.position().map_or(0, csv::Position::line);
+    let place = |name: &str| columns.iter().position(|column| column == name);
+    let mesh = place("mesh").filter(|&at| row[at].is_empty());
+    if let Some(column) = mesh.map(|at| header[at].to_owned()) {
+        return Err(ImportError::EmptyMesh { line, column });
+    }
+    let mut results = (0..columns.len()).filter(|&at| is_result(&columns[at]));
+    let outcome = place("outcome").map_or("", |at| &row[at]);
+    let is_ok = ["", Outcome::Ok.id()].contains(&outcome);
+    if is_ok && results.clone().all(|at| row[at].is_empty()) {
+        let column = results.next().map_or(String::new(), |at| header[at].to_owned());
+        return Err(ImportError::EmptyRow { line, column });
+    }
+    Ok(())
+}
+
+/// Returns whether a column has a number of a run.
+fn is_result(column: &str) -> bool {
+    let mut others = PLACE_COLUMNS.iter().chain(&SIZES).chain(&["-"]);
+    !others.any(|other| *other == column)
+}
+
 /// Returns the names in `runs.csv` of the columns of the file; `-` for those that are left out.
 fn columns(header: &StringRecord, settings: &ImportSettings) -> Result<Vec<String>, ImportError> {
     let known = known_columns();
-    let nearest_of = |name: &str, known: &[String]| {
-        nearest(name, known.iter().map(String::as_str)).unwrap_or_default().to_owned()
-    };
+    let nearest_of = |name: &str| likely(name, known.iter().map(String::as_str)).map(str::to_owned);
     let header: Vec<String> = header.iter().map(str::to_owned).collect();
     for (from, to) in &settings.mapping {
         if !header.contains(from) {
-            let nearest = nearest_of(from, &header);
-            return Err(ImportError::UnknownSource { name: from.clone(), nearest });
+            let (name, has) = (from.clone(), header.join(", "));
+            return Err(ImportError::UnknownSource { name, has });
         }
         if to != "-" && !known.contains(to) {
-            let nearest = nearest_of(to, &known);
+            let nearest = nearest_of(to);
             return Err(ImportError::UnknownTarget { name: to.clone(), nearest });
         }
     }
@@ -157,7 +210,7 @@ fn columns(header: &StringRecord, settings: &ImportSettings) -> Result<Vec<Strin
     let columns: Vec<String> = header.iter().map(mapped).collect();
     for (i, column) in columns.iter().enumerate().filter(|(_, column)| *column != "-") {
         if !known.contains(column) {
-            let nearest = nearest_of(column, &known);
+            let nearest = nearest_of(column);
             return Err(ImportError::UnknownColumn { name: column.clone(), nearest });
         }
         if columns[..i].contains(column) {
@@ -167,11 +220,7 @@ fn columns(header: &StringRecord, settings: &ImportSettings) -> Result<Vec<Strin
     if !columns.iter().any(|column| column == "mesh") {
         return Err(ImportError::NoMesh);
     }
-    let is_number = |column: &&String| {
-        let other = PLACE_COLUMNS.iter().chain(&SIZES).chain(&["-"]);
-        !other.into_iter().any(|other| other == column)
-    };
-    columns.iter().find(is_number).ok_or(ImportError::NoNumber)?;
+    columns.iter().find(|column| is_result(column)).ok_or(ImportError::NoNumber)?;
     Ok(columns)
 }
 
@@ -225,17 +274,21 @@ fn with_times_of(task: Task, mut columns: Vec<String>) -> Vec<String> {
 fn checked(
     row: &StringRecord,
     columns: &[String],
+    header: &StringRecord,
     rounded: &mut usize,
 ) -> Result<StringRecord, ImportError> {
     let line = row.position().map_or(0, csv::Position::line);
     let mut fields = Vec::new();
-    for (field, column) in row.iter().zip(columns) {
+    for ((field, column), name) in row.iter().zip(columns).zip(header) {
         let bad = |expected| ImportError::BadField {
             line,
-            column: column.clone(),
+            column: name.into(),
             value: field.into(),
             expected,
         };
+        if COUNTS_OF_PLACE.contains(&column.as_str()) && !field.is_empty() {
+            field.parse::<u64>().map_err(|_| bad("whole number from 0"))?;
+        }
         let is_text = PLACE_COLUMNS.contains(&column.as_str()) || column == "-";
         if is_text || field.is_empty() {
             fields.push(field.to_owned());
@@ -271,7 +324,7 @@ fn record(
     let line = row.position().map_or(0, csv::Position::line);
     let mesh = find_mesh(&place.mesh, job.task(), settings);
     let mesh = match mesh {
-        None if !settings.allows_other_meshes || place.mesh.is_empty() => {
+        None if !settings.allows_other_meshes => {
             let known = paper::ALL.iter().map(|mesh| mesh.name);
             let nearest = slip_of(&place.mesh, known).map(String::from);
             return Err(ImportError::UnknownMesh { line, name: place.mesh, nearest });
@@ -314,7 +367,15 @@ fn record(
 
 /// Returns the name under which the source of imported rows stands in `machines.json`.
 pub fn machine_name(algorithm: &str) -> String {
-    format!("imported {algorithm}")
+    format!("{IMPORTED}{algorithm}")
+}
+
+/// Beginning of these names.
+const IMPORTED: &str = "imported ";
+
+/// Returns whether a name in `machines.json` is that of imported rows.
+pub fn is_imported(machine: &str) -> bool {
+    machine.starts_with(IMPORTED)
 }
 
 /// Returns the mesh of the papers that is called so: letters of either case, blanks, underscores

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::expression::Expression;
-use crate::report::number::significant;
+use crate::report::number::{seconds, significant};
 use crate::report::power_law::PowerLaw;
 use crate::report::statistics::Statistics;
 
@@ -338,8 +338,8 @@ fn scaled(points: &[MeshNumber], printed: &[MeshNumber]) -> Finding {
         return whole(false, "no printed seconds".into());
     };
     let estimates = both.iter().map(|(ours, paper)| {
-        let estimate = significant(ours.value * factor);
-        format!("{} {estimate} (printed {})", ours.mesh, significant(paper.value))
+        let estimate = seconds(ours.value * factor);
+        format!("{} {estimate} (printed {})", ours.mesh, seconds(paper.value))
     });
     let estimates: Vec<String> = estimates.collect();
     whole(true, format!("estimates, ours × {}: {}", significant(factor), estimates.join("; ")))

@@ -18,7 +18,7 @@ pub use tolerances::{ToleranceRow, tolerances, tolerances_csv};
 use decision::{Decision, decide};
 
 use super::claims::{self, Cause, Claim, ClaimKind, Finding, LimitOrigin, MeshNumber};
-use super::number::significant;
+use super::number::{seconds, significant};
 use super::summary::Summary;
 use crate::csv_text;
 
@@ -138,7 +138,8 @@ fn judge_one(claim: &Claim, printed: &[MeshNumber], summary: &Summary) -> Judged
         verdict,
         ours: test.as_ref().map(|test| test.found.clone()).unwrap_or_default(),
         paper: paper_text(claim, printed),
-        by_mesh: by_mesh(&ours, test.as_ref()),
+        // Where nothing can be compared, no mesh breaks anything.
+        by_mesh: by_mesh(&ours, test.as_ref().filter(|_| verdict != Verdict::NotComparable)),
         reason,
         cause,
         limit: claim.limit,
@@ -155,7 +156,7 @@ pub fn holds_of_the_paper(claim: &Claim) -> Option<bool> {
 fn paper_text(claim: &Claim, printed: &[MeshNumber]) -> String {
     if claim.kind == ClaimKind::Seconds {
         // Ours are scaled to them; they themselves are not.
-        let of_mesh = |point: &MeshNumber| format!("{} {}", point.mesh, significant(point.value));
+        let of_mesh = |point: &MeshNumber| format!("{} {}", point.mesh, seconds(point.value));
         return printed.iter().map(of_mesh).collect::<Vec<_>>().join("; ");
     }
     let found = (!printed.is_empty()).then(|| claim.predicate.test(printed, printed).found);

@@ -1,7 +1,9 @@
-//! Every symbol and every algorithm in a line.
+//! Every symbol and every algorithm in a line; those of algorithms are in [`crate::algorithms`].
 
 use serde::Serialize;
 
+use super::topic::Topic;
+use crate::algorithms::AlgorithmFacts;
 use crate::experiment::Task;
 use crate::meshes::Origin;
 use crate::report::summary::Summary;
@@ -43,26 +45,16 @@ const SYMBOLS: [(&str, &str); 20] = [
     ("local", "our augmentation: a search touches only what it visits"),
 ];
 
-/// Algorithms.
-const ALGORITHMS: [(&str, &str); 12] = [
-    ("SG", "simple greedy: takes edges in random order, pairs their triangles if both are free"),
-    ("PS", "Pulli and Segal: greedy with four priorities, from triangles in random order"),
-    ("DS", "Diks and Stanczyk: a perfect pairing at once, in O(n log² n)"),
-    ("LRS", "Lemos, Ramaswami, Siqueira: contracts to an irreducible triangulation, expands again"),
-    ("LRS few-flips", "LRS with an expansion of ours that keeps more of the input's edges"),
-    ("Velho", "SG with the longest edge first, after Velho; the paper prints no numbers of it"),
-    ("GW", "Gawrychowski and Wasylkiewicz: a perfect pairing at once, in O(n log n)"),
-    ("BEST", "ours: the perfect pairing of least total cost; the default of triquad convert"),
-    ("TQ", "ours: a perfect pairing as fast as the machine allows, without regard to shape"),
-    ("RS", "Ramaswami and Siqueira: irreducible triangulations, each edge tested once"),
-    ("S", "Schipper: contracts at a vertex of least degree"),
-    ("BF", "brute force: tests edges in random order until none can be contracted"),
-];
-
-/// Returns the definitions; programs that are not ours after the algorithms.
-pub fn definitions(summary: &Summary) -> Vec<Definition> {
-    let known = ALGORITHMS.iter().chain(&SYMBOLS);
-    let known = known.copied().chain(Origin::ALL.map(|origin| (origin.id(), origin.meaning())));
+/// Returns the definitions; programs that are not ours at the end. Of our algorithms, pages of own
+/// results define only those with runs.
+pub fn definitions(summary: &Summary, topic: &Topic) -> Vec<Definition> {
+    let is_shown = |facts: &&AlgorithmFacts| {
+        let is_run = || summary.cells().iter().any(|cell| cell.id.job.facts().name == facts.name);
+        !topic.is_own() || is_run()
+    };
+    let algorithms = AlgorithmFacts::all().iter().filter(is_shown);
+    let known = algorithms.map(|facts| (facts.label, facts.meaning)).chain(SYMBOLS);
+    let known = known.chain(Origin::ALL.map(|origin| (origin.id(), origin.meaning())));
     let known =
         known.map(|(word, meaning)| Definition { word: word.into(), meaning: meaning.into() });
     known.chain(programs(summary)).collect()
@@ -78,7 +70,7 @@ fn programs(summary: &Summary) -> impl Iterator<Item = Definition> {
         let version =
             cell.runs.iter().map(|run| run.program.as_str()).find(|text| !text.is_empty());
         let version = version.map_or(String::new(), |version| format!(": {version}"));
-        let meaning = format!("not ours, makes {what}{version}");
+        let meaning = format!("{}, makes {what}{version}", cell.id.job.facts().meaning);
         if programs.iter().all(|program| program.0 != cell.label()) {
             programs.push((cell.label(), meaning));
         }

@@ -1,4 +1,4 @@
-//! The findings, in five sentences, each with a link to its evidence.
+//! The findings, in five sentences at most, each with a link to its evidence.
 
 use serde::Serialize;
 
@@ -20,20 +20,19 @@ pub struct Finding {
 /// A count equals the printed one as far as a reader cares within this factor.
 const CLOSE: f64 = 1.015;
 
-/// Returns the findings.
+/// Returns the findings; what the records say nothing about is left out.
 pub fn findings(parts: &Parts, duel: &LrsAgainstPs) -> Vec<Finding> {
-    let finding = |sentence: String, target: &str, evidence| Finding {
-        sentence,
-        target: target.into(),
-        evidence,
+    let finding = |sentence: Option<String>, target: &str, evidence| {
+        sentence.map(|sentence| Finding { sentence, target: target.into(), evidence })
     };
-    vec![
-        finding(verdicts(parts), "verdicts", "every verdict"),
+    let findings = [
+        finding(Some(verdicts(parts)), "verdicts", "every verdict"),
         finding(meshes(parts), "table-6", "the counts"),
-        finding(ranking(duel), "better-augmentation", "mesh by mesh"),
+        finding(Some(ranking(duel)), "better-augmentation", "mesh by mesh"),
         finding(reductions(parts), "table-6", "costs and ratios"),
-        finding(errata(parts), "verdict-paper-inconsistent", "the contradictions"),
-    ]
+        finding(Some(errata(parts)), "verdict-paper-inconsistent", "the contradictions"),
+    ];
+    findings.into_iter().flatten().collect()
 }
 
 /// Counts the verdicts by kind of claim.
@@ -45,23 +44,29 @@ fn verdicts(parts: &Parts) -> String {
         let differs = own.clone().filter(|judged| judged.verdict == Verdict::Differs).count();
         (reproduced, reproduced + differs)
     };
-    let [counts, ratios, growth] =
-        [ClaimKind::MachineFree, ClaimKind::Ratio, ClaimKind::Exponent].map(of);
+    let kinds = [
+        (ClaimKind::MachineFree, "about counts"),
+        (ClaimKind::Ratio, "about ratios of times"),
+        (ClaimKind::Exponent, "about growth"),
+    ];
+    let text = |(kind, about)| match of(kind) {
+        (_, 0) => None,
+        (reproduced, decided) => Some(format!("{reproduced} of {decided} {about}")),
+    };
+    let found: Vec<String> = kinds.into_iter().filter_map(text).collect();
+    let all = judged.len();
+    if found.is_empty() {
+        return format!("These records decide none of the {all} claims of the two papers.");
+    }
     format!(
-        "Of {} claims of the two papers, {} of {} about counts that could be decided are \
-         reproduced, {} of {} about ratios of times, and {} of {} about growth.",
-        judged.len(),
-        counts.0,
-        counts.1,
-        ratios.0,
-        ratios.1,
-        growth.0,
-        growth.1
+        "The two papers make {all} claims. Of those that could be decided, these are reproduced: \
+         {}.",
+        found.join(", ")
     )
 }
 
 /// Counts the meshes on which RS makes as many tests as printed.
-fn meshes(parts: &Parts) -> String {
+fn meshes(parts: &Parts) -> Option<String> {
     let column = "rs_link_condition_tests";
     let rows = numbers(parts, TableKind::LinkTests, column);
     let is_close = |(ours, paper): &&(f64, f64)| {
@@ -69,12 +74,14 @@ fn meshes(parts: &Parts) -> String {
         ratio <= CLOSE && ratio * CLOSE >= 1.0
     };
     let close = rows.iter().filter(is_close).count();
-    format!(
-        "The printed counts determine the papers' box, whose proportions are not printed: on the \
-         meshes of these records RS makes the printed number of link condition tests within 1.5 % \
-         on {close} of {}.",
-        rows.len()
-    )
+    (!rows.is_empty()).then(|| {
+        format!(
+            "The printed counts determine the papers' box, whose proportions are not printed: on \
+             the meshes of these records RS makes the printed number of link condition tests \
+             within 1.5 % on {close} of {}.",
+            rows.len()
+        )
+    })
 }
 
 fn ranking(duel: &LrsAgainstPs) -> String {
@@ -82,29 +89,26 @@ fn ranking(duel: &LrsAgainstPs) -> String {
 }
 
 /// Counts the meshes on which RS visits fewer link vertices than S and BF, and is faster.
-fn reductions(parts: &Parts) -> String {
-    let faster = |column: &str| {
+fn reductions(parts: &Parts) -> Option<String> {
+    let faster = |(other, column)| {
         let ratios = numbers(parts, TableKind::Ratios, column);
         let faster = ratios.iter().filter(|(ours, _)| *ours > 1.0).count();
-        format!("{faster} of {}", ratios.len())
+        let all = ratios.len();
+        (all > 0).then(|| format!("is faster than {other} on {faster} of {all} boxes"))
     };
     let visited = visited(parts);
     let fewer = |other: usize| visited.iter().filter(|row| row[0] < row[other]).count();
-    let cost = if visited.is_empty() {
-        String::new()
-    } else {
+    let cost = (!visited.is_empty()).then(|| {
         format!(
-            "visits fewer link vertices than S on {} and than BF on {} of {} boxes; it ",
+            "visits fewer link vertices than S on {} and than BF on {} of {} boxes",
             fewer(1),
             fewer(2),
             visited.len()
         )
-    };
-    format!(
-        "RS {cost}is faster than S on {} boxes and than BF on {}.",
-        faster("schipper_to_rs_seconds"),
-        faster("brute_force_to_rs_seconds"),
-    )
+    });
+    let times = [("S", "schipper_to_rs_seconds"), ("BF", "brute_force_to_rs_seconds")].map(faster);
+    let found: Vec<String> = std::iter::once(cost).chain(times).flatten().collect();
+    (!found.is_empty()).then(|| format!("RS {}.", found.join("; it ")))
 }
 
 /// Counts what the papers contradict themselves in.

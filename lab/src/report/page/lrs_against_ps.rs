@@ -7,7 +7,7 @@ use triquad::pairing::{Algorithm, Expansion};
 use super::parts::Parts;
 use crate::experiment::{Job, RunRecord};
 use crate::paper::Paper;
-use crate::report::number::significant;
+use crate::report::number::{seconds, significant};
 use crate::report::path_price::PathPrice;
 use crate::report::plots::{Counterpart, Plot};
 use crate::report::statistics::Statistics;
@@ -26,6 +26,11 @@ impl LrsAgainstPs<'_> {
     /// Returns the answer in a sentence or two.
     pub fn answer(&self) -> &str {
         &self.answer
+    }
+
+    /// Returns whether the records say anything about it.
+    pub fn is_answered(&self) -> bool {
+        !self.lines.is_empty() || !self.plots.is_empty()
     }
 }
 
@@ -146,7 +151,7 @@ fn lines(both: &[&Duel], summary: &Summary) -> Vec<String> {
         ("scans", "Scans"),
         ("A", "Boxes of genus 0"),
         ("B", "Boxes of great genus"),
-        ("data", "Other scans"),
+        ("data", "Other meshes"),
     ] {
         let in_group = |duel: &&&Duel| duel.mesh.group == group;
         let own: Vec<&Duel> = both.iter().filter(in_group).copied().collect();
@@ -189,6 +194,6 @@ fn cells(pair: &Option<Pair>) -> [DuelCell; 3] {
     let (winner, fast, slow) = if lrs.mean < ps.mean { ("LRS", lrs, ps) } else { ("PS", ps, lrs) };
     let unclear = if fast.maximum > slow.minimum { "~" } else { "" };
     let ratio = if ps.mean > 0.0 { significant(lrs.mean / ps.mean) } else { "–".into() };
-    let mean = |of: &Statistics| DuelCell { text: significant(of.mean), n: Some(of.n) };
+    let mean = |of: &Statistics| DuelCell { text: seconds(of.mean), n: Some(of.n) };
     [mean(ps), mean(lrs), text(format!("{ratio} {unclear}{winner}"))]
 }

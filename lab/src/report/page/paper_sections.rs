@@ -4,12 +4,14 @@ use serde::Serialize;
 
 use super::parts::{Parts, PictureFile};
 use super::picture::PictureView;
+
 use super::table::{TableView, id_of};
+use super::topic::Topic;
 use crate::algorithms::AlgorithmFacts;
 use crate::paper::{Paper, Table};
 use crate::pictures::Subject;
 use crate::report::plots::{Counterpart, Plot};
-use crate::report::tables::ReportTable;
+use crate::report::tables::{AUGMENTATION, Column, ReportTable, Row};
 
 /// A paper with its tables and figures.
 #[derive(Serialize)]
@@ -36,15 +38,16 @@ struct Entry<'a> {
 /// Figures of the comparison paper that are pictures of quads, with their algorithms.
 const QUADS: [(&str, &str); 4] = [("5.11", "sg"), ("5.12", "ps"), ("5.13", "ds"), ("5.14", "lrs")];
 
-/// Makes a section for each paper: every table, and the figures that show results.
-pub fn papers<'a>(parts: &Parts<'a>) -> Vec<PaperSection<'a>> {
-    let mut comparison = tables(parts, Paper::Comparison);
+/// Makes a section for each paper: every table, and the figures that show results. Beside own
+/// results there are only those with content, and of tables only the meshes with runs.
+pub fn papers<'a>(parts: &Parts<'a>, topic: &Topic) -> Vec<PaperSection<'a>> {
+    let mut comparison = tables(parts, Paper::Comparison, topic);
     for (number, algorithm) in QUADS {
         let label = AlgorithmFacts::named(algorithm).map_or(algorithm, |facts| facts.label);
         let own = pictures(parts, |picture| picture.record.algorithm == algorithm);
         comparison.push(figure(number, &format!("quads made by {label}"), Vec::new(), own));
     }
-    let mut irreducible = tables(parts, Paper::Irreducible);
+    let mut irreducible = tables(parts, Paper::Irreducible, topic);
     let of_box = pictures(parts, |picture| picture.record.subject == Subject::Box);
     irreducible.push(figure("14", "the box with 3,844 cavities", Vec::new(), of_box));
     for (number, group) in [(15, "first"), (16, "second"), (17, "third"), (18, "fourth")] {
@@ -58,26 +61,43 @@ pub fn papers<'a>(parts: &Parts<'a>) -> Vec<PaperSection<'a>> {
         citations: paper.citations(),
         entries,
     };
-    vec![
+    let mut papers = vec![
         section(Paper::Comparison, "Comparison paper", comparison),
         section(Paper::Irreducible, "Paper on irreducible triangulations", irreducible),
-    ]
+    ];
+    if topic.is_own() {
+        papers.iter_mut().for_each(|paper| paper.entries.retain(Entry::has_content));
+        papers.retain(|paper| !paper.entries.is_empty());
+    }
+    papers
+}
+
+impl Entry<'_> {
+    fn has_content(&self) -> bool {
+        self.table.is_some() || !self.plots.is_empty() || !self.pictures.is_empty()
+    }
 }
 
 /// Makes the entries of a paper's tables; one without runs has a sentence instead.
-fn tables<'a>(parts: &Parts<'a>, paper: Paper) -> Vec<Entry<'a>> {
-    let has_runs =
-        |ours: &ReportTable| ours.rows.iter().any(|row| parts.summary.has_mesh(paper, &row.mesh));
+fn tables<'a>(parts: &Parts<'a>, paper: Paper, topic: &Topic) -> Vec<Entry<'a>> {
+    let has_runs = |row: &Row| parts.summary.has_mesh(paper, &row.mesh);
+    let view = |ours: &ReportTable| {
+        let mut ours = ours.clone();
+        if topic.is_own() {
+            ours.rows.retain(has_runs);
+        }
+        TableView::new(&ours, parts.summary)
+    };
     let entry = |table: Table| {
         let name = format!("Table {}", table.number);
         let ours = parts.tables.iter().find(|ours| ours.paper == Some(table));
-        let ours = ours.filter(|&ours| has_runs(ours));
+        let ours = ours.filter(|ours| ours.rows.iter().any(has_runs));
         Entry {
             id: id_of(table.file),
             heading: format!("{name}: {}", table.title),
             name,
             empty: ours.is_none().then_some("No run is recorded for this table."),
-            table: ours.map(|table| TableView::new(table, parts.summary)),
+            table: ours.map(view),
             plots: plots(parts, Counterpart::Table(table)),
             pictures: Vec::new(),
         }
@@ -127,6 +147,35 @@ pub fn other_pictures(parts: &Parts) -> Vec<PictureView> {
 
 /// Returns the tables that the papers do not have.
 pub fn other_tables(parts: &Parts) -> Vec<TableView> {
-    let ours = parts.tables.iter().filter(|table| table.paper.is_none() && !table.rows.is_empty());
-    ours.map(|table| TableView::new(table, parts.summary)).collect()
+    views(&without_counterpart(parts), parts)
+}
+
+/// Returns the same in the order in which somebody looks for own results, without tables that have
+/// nothing but sizes of meshes. That of augmentations comes last, and only if a row has both.
+pub fn own_tables(parts: &Parts) -> Vec<TableView> {
+    const FIRST: [&str; 2] = ["table_data.csv", "table_side_by_side.csv"];
+    const SIZES: [&str; 4] = ["vertices", "triangles", "genus", "n"];
+    let mut tables = without_counterpart(parts);
+    let is_of_pairs = |table: &ReportTable| table.file == AUGMENTATION;
+    tables.retain(|table| {
+        let is_result = |(_, column): &(usize, &Column)| match is_of_pairs(table) {
+            true => Some(*column) == table.columns.last(),
+            false => !SIZES.contains(&column.name.as_str()),
+        };
+        let mut results = table.columns.iter().enumerate().filter(is_result);
+        results.any(|(at, _)| table.rows.iter().any(|row| row.cells[at].ours.number().is_some()))
+    });
+    tables.sort_by_key(|table| {
+        let place = FIRST.iter().position(|file| *file == table.file);
+        (place.unwrap_or(FIRST.len()), is_of_pairs(table))
+    });
+    views(&tables, parts)
+}
+
+fn without_counterpart<'a>(parts: &Parts<'a>) -> Vec<&'a ReportTable> {
+    parts.tables.iter().filter(|table| table.paper.is_none() && !table.rows.is_empty()).collect()
+}
+
+fn views(tables: &[&ReportTable], parts: &Parts) -> Vec<TableView> {
+    tables.iter().map(|table| TableView::new(table, parts.summary)).collect()
 }

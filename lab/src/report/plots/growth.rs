@@ -59,7 +59,7 @@ pub fn totals(summary: &Summary) -> Vec<Chart> {
         ("scans", "the scans of Table 4.1"),
         ("A", "the box of genus 0"),
         ("B", "the box of genus 3,500"),
-        ("data", "other scans"),
+        ("data", "other meshes"),
     ];
     let is_published = |cell: &&Cell| {
         let job = cell.id.job;

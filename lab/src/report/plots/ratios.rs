@@ -35,8 +35,7 @@ pub(super) struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     pub(super) fn new(summary: &'a Summary, paper: Paper) -> Self {
-        let mut meshes: Vec<&str> = summary.meshes(paper).into_iter().map(Cell::mesh).collect();
-        meshes.dedup();
+        let meshes = summary.meshes(paper).into_iter().map(Cell::mesh).collect();
         Self { summary, paper, meshes, series: Vec::new() }
     }
 

@@ -12,6 +12,7 @@ mod pairings;
 mod side_by_side;
 mod table;
 
+pub use own::AUGMENTATION;
 pub use pairings::with_programs;
 pub use table::{Beside, Column, ReportTable, Row, TableCell, Value};
 

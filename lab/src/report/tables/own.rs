@@ -15,6 +15,9 @@ use crate::report::summary::{Cell, Summary};
 /// A column of a table without a counterpart.
 pub(super) type OwnColumn = ColumnOf<'static, ()>;
 
+/// File of the table with both augmentations; its last column is the ratio of their times.
+pub const AUGMENTATION: &str = "table_augmentation.csv";
+
 /// Makes all of them.
 pub fn all(summary: &Summary) -> Vec<ReportTable> {
     vec![
@@ -71,7 +74,7 @@ fn augmentation(summary: &Summary) -> ReportTable {
     let gain = column("total_seconds_tarjan_to_local", gain).starred(&[0, 1]);
     columns.push(gain.heading("(e) tarjan / local"));
     let title = "The augmentation as published beside the one that touches what it visits only";
-    table("table_augmentation.csv", title, columns, &pairs.collect::<Vec<_>>())
+    table(AUGMENTATION, title, columns, &pairs.collect::<Vec<_>>())
 }
 
 /// Returns the total time with `tarjan` divided by that with `local`.
@@ -107,7 +110,7 @@ fn search_columns(prefix: &str, at: usize, star: &'static [usize]) -> [OwnColumn
 
 /// Meshes that the papers do not have.
 fn data(summary: &Summary) -> ReportTable {
-    let names = ("table_data.csv", "Other meshes");
+    let names = ("table_data.csv", "Meshes that the papers do not have");
     let columns = five_columns().into_iter().chain(columns::mesh()).chain(spread_columns());
     let table = of_cells(names, summary.of_group(Paper::Comparison, "data"), columns);
     ReportTable { group: Some((Paper::Comparison, "data")), ..table }

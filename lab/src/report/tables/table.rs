@@ -6,7 +6,7 @@ use crate::experiment::Job;
 use crate::meshes::Origin;
 use crate::paper::{Paper, Table};
 use crate::report::notes::Note;
-use crate::report::number::{grouped, quotient, significant};
+use crate::report::number::{grouped, quotient, seconds, significant};
 
 /// A table, ready to be printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -144,7 +144,7 @@ impl Value {
         match self {
             Self::Text(text) => text.clone(),
             Self::Algorithm(job) => job.facts().label.into(),
-            Self::Seconds(value) => significant(*value),
+            Self::Seconds(value) => seconds(*value),
             other => grouped(&other.field()),
         }
     }

@@ -1,0 +1,60 @@
+//! Topic of the page: the papers' experiments, or somebody's own.
+
+use crate::experiment::import::is_imported;
+use crate::paper::Paper;
+use crate::report::summary::{Cell, Summary};
+
+/// Topic of the page.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Topic {
+    /// Our algorithms in the papers' experiments.
+    Papers,
+    /// Anything else: names of experiments, and of algorithms whose results were imported.
+    Own(Vec<String>),
+}
+
+impl Topic {
+    /// Returns the topic of these records; without any, it is the papers. O(cells · names).
+    pub fn of(summary: &Summary) -> Self {
+        if summary.cells().is_empty() || summary.cells().iter().any(is_of_paper) {
+            return Self::Papers;
+        }
+        let mut names: Vec<String> = Vec::new();
+        for cell in summary.cells() {
+            let name = match was_imported(cell) {
+                true => cell.id.job.facts().label,
+                false => &cell.id.mesh.experiment,
+            };
+            if names.iter().all(|other| other != name) {
+                names.push(name.into());
+            }
+        }
+        Self::Own(names)
+    }
+
+    /// Returns the title of the page.
+    pub fn title(&self) -> String {
+        match self {
+            Self::Papers => "Two papers on triangulations, run again".into(),
+            Self::Own(names) => format!("Results: {}", names.join(", ")),
+        }
+    }
+
+    /// Returns whether the papers' numbers are but a supplement.
+    pub fn is_own(&self) -> bool {
+        matches!(self, Self::Own(_))
+    }
+}
+
+/// Returns whether a paper has the experiment and the mesh, and the algorithm is ours.
+fn is_of_paper(cell: &Cell) -> bool {
+    let paper = Paper::on(cell.id.job.task());
+    cell.id.mesh.experiment == paper.experiment()
+        && cell.group != "data"
+        && !cell.id.job.is_program()
+        && !was_imported(cell)
+}
+
+fn was_imported(cell: &Cell) -> bool {
+    cell.runs.iter().any(|run| is_imported(&run.machine))
+}

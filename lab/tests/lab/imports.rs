@@ -1,0 +1,107 @@
+//! Files of results by others: what is refused, where, and with which remedy.
+
+use triquad_lab::experiment::import::{self, ImportSettings};
+use triquad_lab::meshes::paper::Scale;
+
+fn settings(mapping: &[(&str, &str)]) -> ImportSettings {
+    ImportSettings {
+        algorithm: "mine".into(),
+        task: None,
+        scale: Scale::Full,
+        mapping: mapping.iter().map(|&(from, to)| (from.into(), to.into())).collect(),
+        allows_other_meshes: true,
+    }
+}
+
+fn refusal(text: &str) -> String {
+    import::read(text, &settings(&[])).expect_err(text).to_string()
+}
+
+#[test]
+fn a_column_is_known_by_its_words() {
+    for (name, nearest) in [
+        ("unpaired", "unpaired_triangles"),
+        ("seconds_total", "total_seconds"),
+        ("Total Seconds", "total_seconds"),
+        ("pairing time", "pairing_seconds"),
+        ("peak_memory", "peak_memory_bytes"),
+        ("flips", "edge_flips"),
+        ("sead", "seed"),
+    ] {
+        let expected = format!(
+            "the column {name:?} is not known; the nearest name is {nearest:?}: \
+             --map \"{name}={nearest}\", or --map \"{name}=-\" to leave it out"
+        );
+        assert_eq!(refusal(&format!("mesh,{name}\nbotijo,1\n")), expected);
+    }
+    assert_eq!(
+        refusal("mesh,time\nbotijo,1\n"),
+        "the column \"time\" is not known; --map \"time=NAME\" with a column of runs.csv, as \
+         \"total_seconds\" and \"unpaired_triangles\" are, or --map \"time=-\" to leave it out"
+    );
+    let mapped = |mapping: &[(&str, &str)]| {
+        let text = "graph,time\nbotijo,1\n";
+        import::read(text, &settings(mapping)).unwrap_err().to_string()
+    };
+    assert_eq!(
+        mapped(&[("grph", "mesh")]),
+        "--map: the file has no column \"grph\"; it has graph, time"
+    );
+    assert_eq!(
+        mapped(&[("time", "seconds_total")]),
+        "--map: \"seconds_total\" is no column of runs.csv; the nearest is \"total_seconds\""
+    );
+    assert_eq!(
+        mapped(&[("time", "wall")]),
+        "--map: \"wall\" is no column of runs.csv, as \"total_seconds\" and \
+         \"unpaired_triangles\" are"
+    );
+}
+
+#[test]
+fn other_separators_are_named() {
+    for (separator, name) in [(";", "semicolons"), ("\t", "tabs"), ("|", "vertical bars")] {
+        let text = format!("mesh{separator}total_seconds\nbotijo{separator}0,5\n");
+        let expected = format!(
+            "its values are separated by {name}; save it with commas between values, and points in \
+             numbers"
+        );
+        assert_eq!(refusal(&text), expected);
+    }
+    assert_eq!(
+        refusal("mesh,total_seconds\nbotijo,0.5\neros,0,5\n"),
+        "line 3: 3 fields where the first line has 2; a comma within a field needs quotes round \
+         the field, and numbers have a point"
+    );
+    // Semicolons within fields are no separators.
+    let text = "mesh,total_seconds,reason\nbotijo,0.5,a; b; c; d\n";
+    assert_eq!(import::read(text, &settings(&[])).unwrap().records[0].reason, "a; b; c; d");
+}
+
+#[test]
+fn empty_cells_are_refused_where_a_value_is_needed_and_absent_elsewhere() {
+    assert_eq!(
+        refusal("mesh,total_seconds\nbotijo,0.5\n ,0.5\n"),
+        "line 3, column \"mesh\": it is empty; every row needs a mesh"
+    );
+    // The column is called as the file calls it.
+    let text = "graph,time,mem\nbotijo,0.5,\neros,,\n";
+    let mapping =
+        settings(&[("graph", "mesh"), ("time", "total_seconds"), ("mem", "peak_memory_bytes")]);
+    assert_eq!(
+        import::read(text, &mapping).unwrap_err().to_string(),
+        "line 3, column \"time\": it is empty, and the row has no other number; leave the row \
+         out, or name how the run ended in a column \"outcome\""
+    );
+    let text = "mesh,total_seconds,peak_memory_bytes,mesh_kind,seed,outcome\n\
+                botijo,,7,,,\neros,,,,,timeout\n";
+    let records = import::read(text, &settings(&[])).unwrap().records;
+    let [botijo, eros] = &records[..] else { panic!("{records:?}") };
+    assert_eq!((botijo.measured.total_seconds, botijo.measured.peak_memory_bytes), (None, Some(7)));
+    assert!(botijo.is_ok() && botijo.seed == 0);
+    assert_eq!(eros.outcome.id(), "timeout");
+    assert_eq!(
+        refusal("mesh,total_seconds,seed\nbotijo,0.5,-3\n"),
+        "line 2, column \"seed\": \"-3\" is no whole number from 0"
+    );
+}
