@@ -2,19 +2,22 @@
 //!
 //! `cargo bench --bench growth` for 10⁴, 10⁵ and 10⁶ triangles; `-- 3e4 3e5 prism` for these sizes
 //! and the families with this word in their names. Work is counted in triangles visited by the
-//! augmentation of the algorithm to the left, and in link vertices visited by `rs`; times are in
-//! nanoseconds. All are divided by the number of triangles. The last line of a family gives the
-//! exponent between the first and the last size: 1 is linear. Those of counts are exact; those of
-//! times include what the caches do, and hold for the machine.
+//! augmentation of the algorithm to the left, in nodes that `best` labels or scans, and in link
+//! vertices visited by `rs`; times are in nanoseconds. All are divided by the number of triangles.
+//! The last line of a family gives the exponent between the first and the last size: 1 is linear.
+//! Those of counts are exact; those of times include what the caches do, and hold for the machine.
 
 use std::hint::black_box;
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use triquad::irreducible::{Contractor, Order};
+use triquad::matching::weighted::{DualProblem, solve_cubic};
 use triquad::mesh::{Format, Mesh};
+use triquad::quadrangulation::edge_costs;
 use triquad::random::Random;
 use triquad::simplify::Simplifier;
-use triquad::{Algorithm, Converter, Report, Triangulation};
+use triquad::{Algorithm, Converter, DefaultCost, DualGraph, Report, Triangulation};
 use triquad_generators::random::Mix;
 use triquad_generators::sculptor::Sculptor;
 use triquad_generators::{Surface, grids, organic, random, worst_cases};
@@ -24,9 +27,9 @@ const SIZES: [f64; 3] = [1e4, 1e5, 1e6];
 /// High genus takes time that grows with its square.
 const MOST_OF_HIGH_GENUS: f64 = 1e5;
 
-const COLUMNS: [&str; 12] = [
-    "read", "build", "tq", "visits", "ps", "local ps", "visits", "gw", "best", "check", "rs",
-    "links",
+const COLUMNS: [&str; 13] = [
+    "read", "build", "tq", "visits", "ps", "local ps", "visits", "gw", "best", "nodes", "check",
+    "rs", "links",
 ];
 
 fn main() {
@@ -154,10 +157,21 @@ fn measure(surface: Surface) -> [f64; COLUMNS.len()] {
         ps.paths.triangles_visited as f64,
         1e9 * gw.pairing_seconds,
         1e9 * optimum.pairing_seconds,
+        nodes_of_best(&triangulation, &mesh),
         1e9 * tq.check_seconds,
         nanoseconds(reduce),
         links,
     ]
+}
+
+/// Returns how many nodes `best` labels or scans.
+fn nodes_of_best(triangulation: &Triangulation, mesh: &Mesh) -> f64 {
+    let graph = DualGraph::new(triangulation);
+    let costs = edge_costs(triangulation, mesh.positions(), &DefaultCost);
+    let problem = DualProblem::new(&graph, &costs);
+    let solution = solve_cubic(&problem, &mut |_| ControlFlow::Continue(()));
+    let work = solution.expect("closed surfaces have a perfect matching").work;
+    (work.visits + work.scans) as f64
 }
 
 /// Converts `mesh` some times and returns the report of the fastest.

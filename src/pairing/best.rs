@@ -15,8 +15,8 @@ use crate::triangulation::{EdgeSet, Triangulation};
 
 /// Pairs the triangles of a closed surface, all of them, by `objective`.
 ///
-/// `hook` is called between searches and can end the run. Nearly linear time on surfaces, see
-/// [`solve_cubic`]; about 85 bytes a triangle, 130 with edges to keep. No randomness.
+/// `hook` is called between searches and can end the run. Nearly linear time on most surfaces,
+/// see [`solve_cubic`]; about 85 bytes a triangle, 130 with edges to keep. No randomness.
 ///
 /// # Errors
 /// The costs are not symmetric or too large, or the hook ended the run.
