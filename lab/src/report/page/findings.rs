@@ -94,7 +94,7 @@ fn reductions(parts: &Parts) -> Option<String> {
         let ratios = numbers(parts, TableKind::Ratios, column);
         let faster = ratios.iter().filter(|(ours, _)| *ours > 1.0).count();
         let all = ratios.len();
-        (all > 0).then(|| format!("is faster than {other} on {faster} of {all} boxes"))
+        (all > 0).then(|| format!("than {other} on {faster} of {all} boxes"))
     };
     let visited = visited(parts);
     let fewer = |other: usize| visited.iter().filter(|row| row[0] < row[other]).count();
@@ -106,8 +106,10 @@ fn reductions(parts: &Parts) -> Option<String> {
             visited.len()
         )
     });
-    let times = [("S", "schipper_to_rs_seconds"), ("BF", "brute_force_to_rs_seconds")].map(faster);
-    let found: Vec<String> = std::iter::once(cost).chain(times).flatten().collect();
+    let times = [("S", "schipper_to_rs_seconds"), ("BF", "brute_force_to_rs_seconds")];
+    let times: Vec<String> = times.into_iter().filter_map(faster).collect();
+    let times = (!times.is_empty()).then(|| format!("is faster {}", times.join(" and ")));
+    let found: Vec<String> = [cost, times].into_iter().flatten().collect();
     (!found.is_empty()).then(|| format!("RS {}.", found.join("; it ")))
 }
 
