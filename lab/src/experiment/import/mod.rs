@@ -367,15 +367,7 @@ fn record(
 
 /// Returns the name under which the source of imported rows stands in `machines.json`.
 pub fn machine_name(algorithm: &str) -> String {
-    format!("{IMPORTED}{algorithm}")
-}
-
-/// Beginning of these names.
-const IMPORTED: &str = "imported ";
-
-/// Returns whether a name in `machines.json` is that of imported rows.
-pub fn is_imported(machine: &str) -> bool {
-    machine.starts_with(IMPORTED)
+    format!("imported {algorithm}")
 }
 
 /// Returns the mesh of the papers that is called so: letters of either case, blanks, underscores

@@ -1,6 +1,6 @@
 //! Topic of the page: the papers' experiments, or somebody's own.
 
-use crate::experiment::import::is_imported;
+use crate::experiment::import::machine_name;
 use crate::paper::Paper;
 use crate::report::summary::{Cell, Summary};
 
@@ -56,5 +56,6 @@ fn is_of_paper(cell: &Cell) -> bool {
 }
 
 fn was_imported(cell: &Cell) -> bool {
-    cell.runs.iter().any(|run| is_imported(&run.machine))
+    let source = machine_name(cell.id.job.facts().name);
+    cell.runs.iter().any(|run| run.machine == source)
 }
