@@ -190,10 +190,9 @@ impl<'a> Converter<'a> {
     /// or edges to keep do not fit it; or the conversion was stopped.
     ///
     /// # Cost
-    /// Nearly linear on every mesh measured, except for `lrs` at high genus and degree, and for
-    /// `best` on long tubes with many odd lobes at both ends. On closed surfaces O(n log n) with
-    /// `tq`, `sg`, `ps` or `gw` and augmentation `local`; no such bound is proved for `best`. About
-    /// 100 bytes a triangle at the peak, the mesh included.
+    /// Nearly linear on every mesh measured, except for `lrs` at high genus and degree. On closed
+    /// surfaces O(n log n) with `tq`, `sg`, `ps` or `gw` and augmentation `local`; no such bound is
+    /// proved for `best`. About 100 bytes a triangle at the peak, the mesh included.
     pub fn run<'m>(&mut self, mesh: impl Into<Cow<'m, Mesh>>) -> Result<Converted, ConvertError> {
         let mut mesh = mesh.into();
         if let Some(aim) = self.aims.only_for_best().filter(|_| self.algorithm != Algorithm::Best) {

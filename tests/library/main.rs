@@ -24,3 +24,4 @@ mod real_meshes;
 mod simplify;
 #[cfg(feature = "threads")]
 mod threads;
+mod weighted;

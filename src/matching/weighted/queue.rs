@@ -57,6 +57,13 @@ impl<N: Number> Queue<N> {
         self.heap = events.into();
     }
 
+    /// Removes the first event, if its time is this.
+    pub(super) fn pop_at(&mut self, time: N) -> Option<u32> {
+        let &Reverse(event) = self.heap.peek()?;
+        let (first, _) = N::unpack(event);
+        if first == time { self.pop().map(|(_, code)| code) } else { None }
+    }
+
     /// Removes the first event.
     #[inline]
     pub(super) fn pop(&mut self) -> Option<(N, u32)> {

@@ -75,8 +75,7 @@ pub enum SolveError {
 
 /// Finds a perfect matching of least cost in a graph of at most three edges a node.
 ///
-/// Time grows little faster than n on most surfaces, but about as n^(3/2) on long tubes with many
-/// odd lobes at both ends (`benches/growth.rs`). The worst case is O(n² log n). About 60 bytes a
+/// Time grows little faster than n on surfaces; the worst case is O(n² log n). About 60 bytes a
 /// node with costs to 2²⁷, 100 beyond, plus 8 if many costs are nearly equal, and 8 in large graphs
 /// whose numbers lead far apart. Equal input gives equal output. `hook` is called between searches
 /// and can end the run.

@@ -9,7 +9,7 @@ pub struct Work {
     pub visits: u64,
     /// Searches of the half-integral phase.
     pub half_searches: u64,
-    /// Roots that were grown together in one forest.
+    /// Roots that were grown together in forests.
     pub forest_roots: u64,
     /// Odd cycles left by the half-integral phase; the roots of the blossom phase.
     pub blossom_roots: u64,

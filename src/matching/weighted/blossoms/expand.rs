@@ -55,7 +55,7 @@ impl<S: Nodes> Trees<S> {
 
     /// Keeps a kid of an expanded blossom inner; its own value falls from now on.
     fn keep_inner(&mut self, kid: u32) {
-        self.touched.push(kid);
+        self.touch(kid);
         if let Some(place) = self.family.place(kid) {
             let blossom = &mut self.family.blossoms[place];
             blossom.value += self.clock;
@@ -77,7 +77,7 @@ impl<S: Nodes> Trees<S> {
     fn release(&mut self, kid: u32) {
         self.family.set_label(kid, Label::Free);
         self.family.raise(kid, -self.clock);
-        self.touched.push(kid);
+        self.touch(kid);
     }
 
     /// Queues the edges from outer nodes to the kids that are not outer.

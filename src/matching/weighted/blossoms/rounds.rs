@@ -9,7 +9,8 @@ use super::search::{Found, Trees};
 
 impl<S: Nodes> Trees<S> {
     /// Pairs every root: free nodes, and one node of every half-integral cycle. Those that were cut
-    /// before, at limits up to `most`, miss these rounds.
+    /// before, at limits up to `most`, miss these rounds. Roots that are many for their limit grow
+    /// together at last.
     pub(crate) fn pair_all(
         &mut self,
         mut left: Roots,
@@ -22,6 +23,10 @@ impl<S: Nodes> Trees<S> {
         while !(roots.is_empty() && left.cut.is_empty()) {
             if limit > most {
                 left.join_cut(&mut roots);
+                let visits = roots.len().saturating_mul(limit) as u64;
+                if visits > u64::from(limits.patience) * u64::from(self.family.nodes.len()) {
+                    return self.grow_together(roots, observer);
+                }
             }
             self.search_each(&mut roots, &mut left.blocked, limit, observer)?;
             limit = limits.next(limit);
@@ -78,7 +83,7 @@ impl<S: Nodes> Trees<S> {
     }
 
     /// Returns whether a root still needs a mate.
-    fn is_free(&self, root: u32) -> bool {
+    pub(super) fn is_free(&self, root: u32) -> bool {
         self.family.nodes.label(root) == Label::Half
             || self.family.mate(self.family.top(root)) == NONE
     }

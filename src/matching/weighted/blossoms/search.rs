@@ -9,6 +9,7 @@ use super::super::queue::Queue;
 use super::super::refusal::Refusal;
 use super::super::work::Work;
 use super::family::{Family, rise};
+use super::forest::Forest;
 
 /// The tree that is grown, among all nodes and blossoms.
 pub(crate) struct Trees<S: Nodes> {
@@ -19,8 +20,10 @@ pub(crate) struct Trees<S: Nodes> {
     pub(super) queue: Queue<S::N>,
     /// Outer nodes whose edges have not been scanned.
     pub(super) scan: VecDeque<u32>,
-    /// Every top that got a label or was released, in order.
+    /// Every top of the tree that got a label or was released, in order.
     pub(super) touched: Vec<u32>,
+    /// What there is besides if several trees stand.
+    pub(super) forest: Option<Forest>,
     scanned: usize,
     pub(crate) work: Work,
 }
@@ -44,6 +47,7 @@ impl<S: Nodes> Trees<S> {
             queue: Queue::new(),
             scan: VecDeque::new(),
             touched: Vec::new(),
+            forest: None,
             scanned: 0,
             work,
         }
@@ -86,7 +90,7 @@ impl<S: Nodes> Trees<S> {
                 }
             }
             let Some((time, code)) = self.queue.pop() else {
-                return Err(Refusal::Infeasible(self.inner_nodes()));
+                return Err(Refusal::Infeasible(self.inner_nodes(&self.touched)));
             };
             if time > S::N::LIMIT {
                 return Err(Refusal::TooNarrow);
@@ -107,10 +111,10 @@ impl<S: Nodes> Trees<S> {
 
     /// Returns the nodes labelled inner. If nothing can happen any more, no blossom is, and all
     /// outer tops are odd components without these nodes: one more than there are of them.
-    fn inner_nodes(&self) -> Vec<u32> {
+    pub(super) fn inner_nodes(&self, touched: &[u32]) -> Vec<u32> {
         let inner =
             |&&top: &&u32| self.family.is_outermost(top) && self.family.label(top) == Label::Inner;
-        self.touched.iter().filter(inner).copied().collect()
+        touched.iter().filter(inner).copied().collect()
     }
 
     /// Labels a top outer: its potentials rise from now on.
@@ -121,14 +125,14 @@ impl<S: Nodes> Trees<S> {
             self.family.blossoms[place].value -= self.clock;
         }
         self.scan_all(top);
-        self.touched.push(top);
+        self.touch(top);
     }
 
     /// Labels a top inner: its potentials fall from now on, until its value is used up.
     fn make_inner(&mut self, top: u32) {
         self.family.set_label(top, Label::Inner);
         self.family.raise(top, self.clock);
-        self.touched.push(top);
+        self.touch(top);
         if let Some(place) = self.family.place(top) {
             let blossom = &mut self.family.blossoms[place];
             let expansion = self.clock + blossom.value;
@@ -136,6 +140,14 @@ impl<S: Nodes> Trees<S> {
             let set = blossom.set;
             self.family.clear_pending(set);
             self.queue.push(expansion, self.family.nodes.codes() + place as u32);
+        }
+    }
+
+    /// Notes that a top belongs to the tree.
+    pub(super) fn touch(&mut self, top: u32) {
+        self.touched.push(top);
+        if let Some(forest) = &mut self.forest {
+            forest.take(top);
         }
     }
 
@@ -152,7 +164,7 @@ impl<S: Nodes> Trees<S> {
     }
 
     /// Looks at the edges of an outer node.
-    fn scan_node(&mut self, node: u32) -> Result<Found, Refusal> {
+    pub(super) fn scan_node(&mut self, node: u32) -> Result<Found, Refusal> {
         let (label, potential) = self.family.standing(node, self.clock);
         debug_assert_eq!(label, Label::Outer);
         if potential > S::N::LIMIT {
@@ -169,8 +181,7 @@ impl<S: Nodes> Trees<S> {
             }
         }
         if let Some(price) = self.family.nodes.price(node) {
-            let time = self.clock + price - potential;
-            self.queue.push_last(time, self.family.nodes.ground(node));
+            self.push_last(self.clock + price - potential, self.family.nodes.ground(node));
         }
         Ok(Found::Nothing)
     }
@@ -190,7 +201,8 @@ impl<S: Nodes> Trees<S> {
         match label {
             Label::Inner if set != NONE => self.family.pending[set as usize].push(half_edge),
             Label::Inner => {}
-            Label::Outer if slack == S::N::ZERO => self.shrink(half_edge)?,
+            _ if slack == S::N::ZERO && self.has_to_wait(half_edge) => {}
+            Label::Outer if slack == S::N::ZERO => return self.join_outer(half_edge),
             Label::Outer => {
                 debug_assert!(!slack.is_odd());
                 self.queue.push(self.clock + slack.half(), half_edge);
@@ -205,9 +217,37 @@ impl<S: Nodes> Trees<S> {
     pub(super) fn await_tight(&mut self, half_edge: u32, to: u32, slack: S::N) {
         let time = self.clock + slack;
         if self.is_target(to) {
-            self.queue.push_last(time, half_edge);
+            self.push_last(time, half_edge);
         } else {
             self.queue.push(time, half_edge);
+        }
+    }
+
+    /// Puts a tight edge behind those of other trees, if there are any.
+    fn has_to_wait(&mut self, half_edge: u32) -> bool {
+        self.forest.as_mut().map(|forest| forest.now.push_back(half_edge)).is_some()
+    }
+
+    /// Queues an event that ends the search, if no other tree stands.
+    fn push_last(&mut self, time: S::N, code: u32) {
+        match self.forest {
+            None => self.queue.push_last(time, code),
+            Some(_) => self.queue.push(time, code),
+        }
+    }
+
+    /// Goes along a tight edge between two outer tops: in one tree they become a blossom, those of
+    /// two trees become a path.
+    fn join_outer(&mut self, half_edge: u32) -> Result<Found, Refusal> {
+        match self.other_tree(half_edge) {
+            None => self.shrink(half_edge).map(|()| Found::Nothing),
+            Some(tree) => {
+                self.augment(half_edge);
+                let back = self.family.nodes.twin(half_edge);
+                self.augment(back);
+                self.fell(tree)?;
+                Ok(Found::Mate)
+            }
         }
     }
 
@@ -219,18 +259,22 @@ impl<S: Nodes> Trees<S> {
     }
 
     /// Lets happen what was queued.
-    fn occur(&mut self, code: u32) -> Result<Found, Refusal> {
+    pub(super) fn occur(&mut self, code: u32) -> Result<Found, Refusal> {
         if let Some(place) = code.checked_sub(self.family.nodes.codes()) {
             self.expand_if_due(self.family.nodes.len() + place)?;
             return Ok(Found::Nothing);
         }
-        let twin = if code == self.family.nodes.ground(self.family.nodes.origin(code)) {
+        let u = self.family.nodes.origin(code);
+        if code == self.family.nodes.ground(u) {
+            let (_, potential) = self.family.standing(u, self.clock);
+            // If the tree of an earlier label was felled, the event may come too soon.
+            if self.family.nodes.price(u) != Some(potential) {
+                return Ok(Found::Nothing);
+            }
             self.augment(code);
             return Ok(Found::Mate);
-        } else {
-            self.family.nodes.twin(code)
-        };
-        let [u, v] = [code, twin].map(|half_edge| self.family.nodes.origin(half_edge));
+        }
+        let v = self.family.nodes.head(code);
         let set = self.family.nodes.set(v);
         if set != NONE && set == self.family.nodes.set(u) {
             return Ok(Found::Nothing);
@@ -241,7 +285,7 @@ impl<S: Nodes> Trees<S> {
             Label::Inner => {}
             Label::Outer => {
                 if self.family.slack(code, self.clock) == S::N::ZERO {
-                    self.shrink(code)?;
+                    return self.join_outer(code);
                 }
             }
             Label::Free | Label::Half => {
@@ -320,20 +364,27 @@ impl<S: Nodes> Trees<S> {
                 self.take_label(top)?;
             }
         }
-        while let Some(top) = self.touched.pop() {
-            let Some(place) = self.family.place(top) else { continue };
-            let blossom = &self.family.blossoms[place];
-            let is_void = blossom.value == S::N::ZERO && blossom.mate != NONE;
-            if self.family.is_outermost(top) && is_void {
-                let kids = self.family.dissolve(top)?;
-                self.touched.extend(kids.iter().map(|kid| kid.top));
-            }
-        }
+        let touched = std::mem::take(&mut self.touched);
+        self.touched = self.dissolve_void(touched)?;
         Ok(())
     }
 
+    /// Takes blossoms without label and value apart; returns the emptied list.
+    pub(super) fn dissolve_void(&mut self, mut tops: Vec<u32>) -> Result<Vec<u32>, Refusal> {
+        while let Some(top) = tops.pop() {
+            let Some(place) = self.family.place(top) else { continue };
+            let blossom = &self.family.blossoms[place];
+            let is_void = blossom.value == S::N::ZERO && blossom.mate != NONE;
+            if is_void && self.family.is_outermost(top) && self.family.label(top).is_none() {
+                let kids = self.family.dissolve(top)?;
+                tops.extend(kids.iter().map(|kid| kid.top));
+            }
+        }
+        Ok(tops)
+    }
+
     /// Makes potentials and value of a top final.
-    fn take_label(&mut self, top: u32) -> Result<(), Refusal> {
+    pub(super) fn take_label(&mut self, top: u32) -> Result<(), Refusal> {
         let label = self.family.label(top);
         if label.is_none() {
             return Ok(());

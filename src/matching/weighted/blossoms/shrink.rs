@@ -40,7 +40,7 @@ impl<S: Nodes> Trees<S> {
         }
         let mate = self.family.mate(base);
         let top = self.found_blossom(kids, set, mate, -self.clock);
-        self.touched.push(top);
+        self.touch(top);
         Ok(())
     }
 

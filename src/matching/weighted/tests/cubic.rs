@@ -103,6 +103,22 @@ proptest! {
     }
 
     #[test]
+    fn runs_can_be_stopped_anywhere_and_leave_a_bound(
+        graph in surface(), limits in limits(), calls in 0..12_u32,
+    ) {
+        let mut left = calls;
+        let hook = &mut |_| {
+            left = left.saturating_sub(1);
+            if left == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let stopped = cubic_solution(&graph, limits, &mut Observer::new(hook));
+        if let Err(SolveError::Stopped { bound }) = stopped {
+            let cost = proven(&graph, solve(&graph, limits))?;
+            prop_assert!(cost.is_none_or(|cost| bound <= cost), "{bound} is above {cost:?}");
+        }
+    }
+
+    #[test]
     fn surfaces_are_solved_with_proof(graph in surface(), limits in limits()) {
         proven(&graph, solve(&graph, limits))?;
     }
