@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
 use triquad_lab::counted::counted;
 use triquad_lab::experiment::journal::Journal;
-use triquad_lab::experiment::machine;
+use triquad_lab::experiment::machine::{self, Build};
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 use triquad_lab::experiment::planned_mesh::PlannedMesh;
 use triquad_lab::experiment::record::{Outcome, RunRecord};
@@ -103,7 +103,9 @@ fn complain_of_damage(out: &Path, journal: &Journal) {
 
 /// Returns the runner for this machine and notes the machine in the journal.
 fn runner(arguments: &Arguments, journal: &mut Journal) -> io::Result<Runner> {
-    let facts = machine::facts();
+    // Named when the program was built: the sources may have moved on since.
+    let build = Build { profile: env!("TRIQUAD_PROFILE"), commit: env!("TRIQUAD_COMMIT") };
+    let facts = machine::facts(build);
     let name = machine::name_of(&facts);
     journal.note_machine(&name, facts)?;
     Ok(Runner {
