@@ -62,6 +62,7 @@ fn commit() -> Option<String> {
 /// Returns what `git` answers in the folder of this file.
 fn git(arguments: &[&str]) -> Option<String> {
     // The index is not written: others may be at it.
-    let output = Command::new("git").env("GIT_OPTIONAL_LOCKS", "0").args(arguments).output().ok()?;
+    let output =
+        Command::new("git").env("GIT_OPTIONAL_LOCKS", "0").args(arguments).output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }

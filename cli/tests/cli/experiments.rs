@@ -123,6 +123,17 @@ fn the_record_names_the_build_and_not_what_lies_round_it_when_it_runs() {
 }
 
 #[test]
+fn an_open_mesh_is_refused_with_what_experiments_take() {
+    let shop = Workshop::new();
+    let text = EXPERIMENT.replace(r#"meshes = ["botijo", "A5", "B5"]"#, "files = [\"open.off\"]");
+    std::fs::write(shop.path("open.toml"), text).unwrap();
+    std::fs::write(shop.path("open.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").unwrap();
+    let said = shop.refused("plan open.toml");
+    assert!(said.contains(" tiny: open.off: edge "), "no ./ before it: {said}");
+    assert!(said.ends_with("; experiments take closed triangle meshes\n"), "{said}");
+}
+
+#[test]
 fn every_planned_run_has_a_row_and_none_is_done_twice() {
     let shop = Workshop::new();
     shop.ask_for_pictures();
