@@ -68,9 +68,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// Draws what is not drawn yet. Says what cannot be drawn; the runs go on all the same.
 fn draw_pictures(out: &Path, plan: &Plan, runner: &Runner, view: &RunView) -> Result<(), Failure> {
     let mut failed = Ok(());
-    for mesh in &plan.pictured {
+    for pictured in &plan.pictured {
+        let mesh = &pictured.mesh;
         let begin = || view.say(&format!("drawing the pictures of {}", mesh.name));
-        let drawn = pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, begin);
+        let drawn =
+            pictures::draw(out, pictured, runner.cache.as_deref(), &runner.program_hash, begin);
         if let Err(error) = drawn {
             view.say(&picture_failure(&mesh.name, &error).message);
             failed = Err(Failure::no(format!("the pictures of {} are missing", mesh.name)));
