@@ -139,11 +139,16 @@ fn a_page_of_own_meshes_is_about_what_was_run() {
     let quads = views.map(|view| format!("quads-{view}.png"));
     assert_eq!(drawn, quads.into_iter().chain(["pictures.csv".to_owned()]).collect());
     let page = text(&shop, "out/index.html");
-    assert_contains(&page, &["BEST on ring: ", "Times and unpaired triangles"], "page");
+    assert_contains(
+        &page,
+        &["BEST on ring: ", "Times and unpaired triangles", "Growth of GW on"],
+        "page",
+    );
     let absent = [
         "Where the papers print",
         "Meshes that the papers do not have",
         "what edge flips cost",
+        "Growth of TQ",
         "Comparison paper",
         "Figure 14",
         "Figure 5.1",

@@ -81,8 +81,10 @@ pub fn totals(summary: &Summary) -> Vec<Chart> {
         }
         _ => false,
     };
-    let cells = summary.of_paper(Paper::Comparison).filter(perfect).collect();
-    let title = "Growth of TQ, GW and DS on all meshes".into();
+    let cells: Vec<&Cell> = summary.of_paper(Paper::Comparison).filter(perfect).collect();
+    let is_run = |label: &&str| cells.iter().any(|cell| cell.id.job.facts().label == *label);
+    let labels: Vec<&str> = ["TQ", "GW", "DS"].into_iter().filter(is_run).collect();
+    let title = format!("Growth of {} on all meshes", labels.join(", "));
     charts.push(total("growth_tq_gw_ds".into(), title, cells));
     charts
 }
