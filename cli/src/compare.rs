@@ -12,7 +12,8 @@ use crate::{report, stdio};
 /// Judge every claim of the two papers on the records of a results folder
 ///
 /// Prints a line for each claim: verdict, name, our number, the paper's, and the reason if it is
-/// not reproduced. Counts of verdicts follow. Claims that differ are no failure.
+/// not reproduced. Counts of verdicts follow. Claims that differ are no failure. If none can be
+/// judged, it prints that alone.
 ///
 /// With --baseline it prints the tables instead, number by number: ours, the baseline's, their
 /// ratio, and its 95 % interval where runs were repeated. They are written to DIR/baseline, too.
@@ -35,13 +36,21 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let results = report::read(&arguments.folder)?;
     let summary = Summary::new(&results);
     match &arguments.baseline {
-        None => print_verdicts(&summary),
+        None => print_verdicts(&arguments.folder, &summary),
         Some(baseline) => print_baseline(&arguments.folder, &summary, baseline),
     }
 }
 
-fn print_verdicts(summary: &Summary) -> Result<(), Failure> {
+fn print_verdicts(folder: &Path, summary: &Summary) -> Result<(), Failure> {
     let comparison = compare::judge(summary);
+    if !comparison.says_anything() {
+        return stdio::say(&format!(
+            "{}: none of the {} claims of the papers can be judged: they need the papers' \
+             algorithms on the papers' meshes; compare.csv of 'triquad report' has the reasons",
+            folder.display(),
+            comparison.verdicts.len()
+        ));
+    }
     let width = comparison.verdicts.iter().map(|judged| judged.id.len()).max().unwrap_or(0);
     for judged in &comparison.verdicts {
         stdio::say(&line(judged, width))?;

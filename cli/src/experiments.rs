@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 
 use triquad_lab::experiment::data_folder::{self, DataMesh, DataSurvey};
 use triquad_lab::experiment::estimate::Estimate;
-use triquad_lab::experiment::plan::Plan;
-use triquad_lab::experiment::planned_mesh::PlannedMesh;
+use triquad_lab::experiment::plan::{Pictured, Plan};
 use triquad_lab::experiment::spec::Experiment;
 use triquad_lab::meshes::paper::Scale;
 
@@ -84,7 +83,7 @@ fn plan_of(experiments: &[Experiment], scale: Scale, data: &[DataMesh]) -> Resul
 }
 
 /// Returns the meshes whose pictures these experiment files show; they are the papers' meshes.
-pub fn pictured(files: &[PathBuf], scale: Scale) -> Result<Vec<PlannedMesh>, Failure> {
+pub fn pictured(files: &[PathBuf], scale: Scale) -> Result<Vec<Pictured>, Failure> {
     let experiments: Vec<Experiment> =
         files.iter().map(|file| read(file)).collect::<Result<_, _>>()?;
     Ok(plan_of(&experiments, scale, &[])?.pictured)

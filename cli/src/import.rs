@@ -72,6 +72,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     journal.note_plan(imported.planned()).map_err(failure)?;
     let cells = imported.planned().len();
     let (rows, rounded) = (imported.records.len(), imported.rounded);
+    let renamed = imported.renamed.map(|(from, to)| format!("; {from} taken as {to}"));
     let task = imported.records.first().map_or("", |record| record.id.job.task().id());
     for record in imported.records {
         journal.append(record).map_err(failure)?;
@@ -86,11 +87,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let written = report::write(out, journal.results())?;
     stdio::say(&format!(
-        "{}: {} of {} ({task}) on {} taken in",
+        "{}: {} of {} ({task}) on {} taken in{}",
         written.page.as_deref().unwrap_or(out).display(),
         counted(rows, "run", "runs"),
         arguments.algorithm,
         counted(cells, "mesh", "meshes"),
+        renamed.unwrap_or_default(),
     ))
 }
 

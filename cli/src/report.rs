@@ -56,9 +56,10 @@ fn draw_missing(arguments: &Arguments, results: &Results) -> Result<(), Failure>
     let program = own_program::hash()
         .map_err(|error| Failure::bad(format!("this program cannot be read: {error}")))?;
     let cache = arguments.cache.folder();
-    meshes.iter().try_for_each(|mesh| {
-        pictures::draw(folder, mesh, cache.as_deref(), &program, || {})
-            .map_err(|error| Failure::bad(format!("{} cannot be drawn: {error}", mesh.name)))
+    meshes.iter().try_for_each(|pictured| {
+        let failure =
+            |error| Failure::bad(format!("{} cannot be drawn: {error}", pictured.mesh.name));
+        pictures::draw(folder, pictured, cache.as_deref(), &program, || {}).map_err(failure)
     })
 }
 

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
 use triquad_lab::counted::counted;
 use triquad_lab::experiment::journal::Journal;
-use triquad_lab::experiment::machine;
+use triquad_lab::experiment::machine::{self, Build};
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 use triquad_lab::experiment::planned_mesh::PlannedMesh;
 use triquad_lab::experiment::record::{Outcome, RunRecord};
@@ -68,9 +68,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// Draws what is not drawn yet. Says what cannot be drawn; the runs go on all the same.
 fn draw_pictures(out: &Path, plan: &Plan, runner: &Runner, view: &RunView) -> Result<(), Failure> {
     let mut failed = Ok(());
-    for mesh in &plan.pictured {
+    for pictured in &plan.pictured {
+        let mesh = &pictured.mesh;
         let begin = || view.say(&format!("drawing the pictures of {}", mesh.name));
-        let drawn = pictures::draw(out, mesh, runner.cache.as_deref(), &runner.program_hash, begin);
+        let drawn =
+            pictures::draw(out, pictured, runner.cache.as_deref(), &runner.program_hash, begin);
         if let Err(error) = drawn {
             view.say(&picture_failure(&mesh.name, &error).message);
             failed = Err(Failure::no(format!("the pictures of {} are missing", mesh.name)));
@@ -103,7 +105,9 @@ fn complain_of_damage(out: &Path, journal: &Journal) {
 
 /// Returns the runner for this machine and notes the machine in the journal.
 fn runner(arguments: &Arguments, journal: &mut Journal) -> io::Result<Runner> {
-    let facts = machine::facts();
+    // Named when the program was built: the sources may have moved on since.
+    let build = Build { profile: env!("TRIQUAD_PROFILE"), commit: env!("TRIQUAD_COMMIT") };
+    let facts = machine::facts(build);
     let name = machine::name_of(&facts);
     journal.note_machine(&name, facts)?;
     Ok(Runner {

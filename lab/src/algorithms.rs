@@ -58,8 +58,6 @@ pub struct AlgorithmFacts {
     pub meaning: &'static str,
     /// Look in plots.
     pub look: Look,
-    /// True if the quads that it makes are drawn.
-    pub is_pictured: bool,
     /// Seconds for each triangle, augmentation excluded.
     pub seconds: f64,
     /// Bytes for each triangle.
@@ -74,7 +72,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["sg", "SG"],
         "simple greedy: takes edges in random order, pairs their triangles if both are free",
         (ORANGE, Mark::Circle),
-        true,
         (0.15e-6, 120.0),
         [0.125, 0.0, 0.0],
     ),
@@ -82,7 +79,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["ps", "PS"],
         "Pulli and Segal: greedy with four priorities, from triangles in random order",
         (BLUE, Mark::Square),
-        true,
         (0.15e-6, 120.0),
         [0.001, 0.0, 0.0],
     ),
@@ -90,7 +86,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["ds", "DS"],
         "Diks and Stanczyk: a perfect pairing at once, in O(n log² n)",
         (GREEN, Mark::Up),
-        true,
         (25e-6, 450.0),
         [0.0, 0.0, 0.0],
     ),
@@ -98,7 +93,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["lrs", "LRS"],
         "Lemos, Ramaswami, Siqueira: contracts to an irreducible triangulation, expands again",
         (VERMILION, Mark::Diamond),
-        true,
         (0.5e-6, 160.0),
         [0.0, 12.0, 4.0],
     ),
@@ -106,7 +100,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["lrs few-flips", "LRS few-flips"],
         "LRS with an expansion of ours that keeps more of the input's edges",
         (PURPLE, Mark::Cross),
-        true,
         (0.8e-6, 160.0),
         [0.0, 12.0, 4.0],
     ),
@@ -114,7 +107,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["velho", "Velho"],
         "SG with the longest edge first, after Velho; the paper prints no numbers of it",
         (SKY, Mark::Circle),
-        false,
         (0.3e-6, 140.0),
         [0.125, 0.0, 0.0],
     ),
@@ -122,7 +114,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["gw", "GW"],
         "Gawrychowski and Wasylkiewicz: a perfect pairing at once, in O(n log n)",
         (SKY, Mark::Down),
-        false,
         (2.4e-6, 120.0),
         [0.0, 0.0, 0.0],
     ),
@@ -130,7 +121,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["best", "BEST"],
         "ours: the perfect pairing of least total cost; the default of triquad convert",
         (GREEN, Mark::Circle),
-        false,
         (0.6e-6, 190.0),
         [0.0; 3],
     ),
@@ -138,7 +128,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["tq", "TQ"],
         "ours, for speed: PS that pairs each stranded triangle at once; leaves a few at most",
         (GREY, Mark::Circle),
-        true,
         (0.15e-6, 120.0),
         [0.0, 0.0, 2.0],
     ),
@@ -146,7 +135,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["rs", "RS"],
         "Ramaswami and Siqueira: irreducible triangulations, each edge tested once",
         (BLUE, Mark::Square),
-        false,
         (0.15e-6, 120.0),
         [0.0; 3],
     ),
@@ -154,7 +142,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["schipper", "S"],
         "Schipper: contracts at a vertex of least degree",
         (VERMILION, Mark::Diamond),
-        false,
         (0.7e-6, 120.0),
         [0.0; 3],
     ),
@@ -162,7 +149,6 @@ static ALGORITHMS: &[AlgorithmFacts] = &[
         ["brute-force", "BF"],
         "brute force: tests edges in random order until none can be contracted",
         (GREEN, Mark::Up),
-        false,
         (1.0e-6, 120.0),
         [0.0; 3],
     ),
@@ -172,12 +158,11 @@ const fn row(
     [name, label]: [&'static str; 2],
     meaning: &'static str,
     (colour, mark): ([u8; 3], Mark),
-    is_pictured: bool,
     (seconds, bytes): (f64, f64),
     unpaired: [f64; 3],
 ) -> AlgorithmFacts {
     let look = Look { colour, mark };
-    AlgorithmFacts { name, label, meaning, look, is_pictured, seconds, bytes, unpaired }
+    AlgorithmFacts { name, label, meaning, look, seconds, bytes, unpaired }
 }
 
 impl AlgorithmFacts {
@@ -200,7 +185,6 @@ impl AlgorithmFacts {
             [name, name],
             "not ours",
             look_of(name),
-            false,
             // Nothing is estimated for it.
             (0.0, 0.0),
             [0.0; 3],

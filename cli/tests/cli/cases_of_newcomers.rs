@@ -121,6 +121,68 @@ fn experiments_and_groups_may_have_any_name() {
     }
 }
 
+/// Beside results on own meshes nothing speaks of papers, flips or algorithms that were not run.
+#[test]
+fn a_page_of_own_meshes_is_about_what_was_run() {
+    let shop = laboratory();
+    let text_of = EXPERIMENT.replace("\"botijo\", \"ring\"", "\"ring\"");
+    let text_of = text_of.replace("\"ps\", \"tq\"", "\"best\", \"gw\"");
+    let text_of =
+        text_of.replace("tarjan", "local").replacen("seed", "pictures = \"ring\"\nseed", 1);
+    std::fs::write(shop.path("own.toml"), text_of).unwrap();
+    shop.succeed("run own.toml --data data --scale full --out out");
+    let drawn: BTreeSet<String> = std::fs::read_dir(shop.path("out/pictures"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    let views = ["best-close-up", "best-whole", "gw-close-up", "gw-whole"];
+    let quads = views.map(|view| format!("quads-{view}.png"));
+    assert_eq!(drawn, quads.into_iter().chain(["pictures.csv".to_owned()]).collect());
+    let page = text(&shop, "out/index.html");
+    assert_contains(
+        &page,
+        &["BEST on ring: ", "Times and unpaired triangles", "Growth of GW on"],
+        "page",
+    );
+    let absent = [
+        "Where the papers print",
+        "Meshes that the papers do not have",
+        "what edge flips cost",
+        "Growth of TQ",
+        "Comparison paper",
+        "Figure 14",
+        "Figure 5.1",
+    ];
+    for absent in absent {
+        assert!(!page.contains(absent), "{absent}");
+    }
+    let found = shop.run("compare out");
+    let said = String::from_utf8(found.stdout).unwrap();
+    assert!(found.status.success() && said.lines().count() == 1, "{said}");
+    assert_contains(
+        &said,
+        &["out: none of the ", " claims of the papers can be judged"],
+        "compare",
+    );
+}
+
+/// Times of a program on two meshes: neither as published, nor enough for a power law.
+#[test]
+fn a_plot_of_imported_times_claims_neither_origin_nor_growth() {
+    let shop = Laboratory::new();
+    let rows = "mesh,triangles,total_seconds\na,1000,0.5\nb,4000,3\n";
+    let plot = |rows: &str| {
+        std::fs::write(shop.path("rows.csv"), rows).unwrap();
+        shop.succeed("import rows.csv --algorithm mine --out out --other-meshes");
+        (text(&shop, "out/plots/total_data.svg"), text(&shop, "out/plots/total_data.csv"))
+    };
+    let (svg, csv) = plot(rows);
+    assert!(!svg.contains("as published"), "{svg}");
+    assert!(csv.contains("mine,b,") && csv.lines().all(|line| !line.contains(",1.29")), "{csv}");
+    let (_, csv) = plot(&format!("{rows}c,16000,18\n"));
+    assert!(csv.contains(",1.29"), "log 6 / log 4: {csv}");
+}
+
 /// A mesh that is named, and lies in the data folder too, is one mesh.
 #[test]
 fn a_plan_has_as_many_runs_as_are_made() {

@@ -170,6 +170,39 @@ fn clone() -> tempfile::TempDir {
     folder
 }
 
+/// Whoever tries the documents in a clone finds nothing new in `git status`.
+#[test]
+fn what_the_documents_write_into_a_clone_is_ignored_by_git() {
+    if !root().join(".git").exists() {
+        println!("skipped: no clone");
+        return;
+    }
+    let written = |block: Block| -> Vec<String> {
+        match block.info.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+            ["csv" | "toml", name] => vec![name.to_owned()],
+            ["sh"] => {
+                let words: Vec<&str> = block.text.split_whitespace().collect();
+                let is_out = |pair: &&[&str]| pair[0] == "--out";
+                words
+                    .windows(2)
+                    .filter(is_out)
+                    .map(|pair| format!("{}/runs.csv", pair[1]))
+                    .collect()
+            }
+            _ => Vec::new(),
+        }
+    };
+    let texts = documents().into_iter().map(|path| std::fs::read_to_string(path).unwrap());
+    let written: BTreeSet<String> =
+        texts.flat_map(|text| blocks(&text)).flat_map(written).collect();
+    assert!(written.contains("results/mine/runs.csv"), "{written:?}");
+    for path in written {
+        let mut git = Command::new("git");
+        let found = git.args(["check-ignore", "-q", &path]).current_dir(root()).status();
+        assert!(found.unwrap().success(), "{path} is not ignored");
+    }
+}
+
 #[test]
 fn every_command_in_the_documents_works() {
     let failure =

@@ -108,6 +108,32 @@ pub fn repeatable_rows(results: &Results) -> BTreeSet<String> {
 }
 
 #[test]
+fn the_record_names_the_build_and_not_what_lies_round_it_when_it_runs() {
+    let shop = Workshop::new();
+    // Without PATH there is no git.
+    let output = shop.command("run least.toml --scale demo --out out").env("PATH", "").output();
+    assert!(output.unwrap().status.success());
+    let machines = shop.results("out").machines;
+    let facts = machines.values().next().unwrap();
+    let commit = Some(env!("TRIQUAD_COMMIT")).filter(|commit| !commit.is_empty());
+    assert_eq!(facts.get("commit").map(String::as_str), commit);
+    // Cargo has a folder for each profile: debug, release, fast.
+    let folder = Path::new(env!("CARGO_BIN_EXE_triquad")).parent().unwrap().file_name();
+    assert_eq!(facts.get("profile").map(String::as_str), folder.unwrap().to_str());
+}
+
+#[test]
+fn an_open_mesh_is_refused_with_what_experiments_take() {
+    let shop = Workshop::new();
+    let text = EXPERIMENT.replace(r#"meshes = ["botijo", "A5", "B5"]"#, "files = [\"open.off\"]");
+    std::fs::write(shop.path("open.toml"), text).unwrap();
+    std::fs::write(shop.path("open.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").unwrap();
+    let said = shop.refused("plan open.toml");
+    assert!(said.contains(" tiny: open.off: edge "), "no ./ before it: {said}");
+    assert!(said.ends_with("; experiments take closed triangle meshes\n"), "{said}");
+}
+
+#[test]
 fn every_planned_run_has_a_row_and_none_is_done_twice() {
     let shop = Workshop::new();
     shop.ask_for_pictures();

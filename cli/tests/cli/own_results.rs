@@ -207,6 +207,34 @@ fn what_a_program_says_of_itself_is_taken_and_limits_hold() {
     assert!(slow.iter().all(|record| record.outcome != Outcome::Ok));
 }
 
+/// The time of the first stage alone: it is the total in every table, and no note speaks of whole
+/// processes.
+#[cfg(unix)]
+#[test]
+fn a_program_without_a_second_stage_has_one_time_in_all_tables() {
+    let shop = Workshop::new();
+    let script = "\"$1\" convert \"$2\" -o \"$3\" >&2 && echo '{\"pairing_seconds\": 0.001}'\n";
+    std::fs::write(shop.path("own.sh"), script).unwrap();
+    let triquad = env!("CARGO_BIN_EXE_triquad");
+    let own = format!(
+        "command = ['sh', '{{here}}/own.sh', '{triquad}', '{{mesh}}', '{{quads}}']\nstats = '-'"
+    );
+    let experiment = experiment(&[("own", &own[..])]);
+    let experiment = experiment.replace("seed = 5", "seed = 5\nmeasured_from_files = true");
+    std::fs::write(shop.path("mine.toml"), experiment).unwrap();
+    shop.succeed("run mine.toml --scale demo --out out");
+    let records = shop.results("out").records;
+    for record in of(&records, "own") {
+        assert_eq!(record.measured.total_seconds, Some(0.001), "{}", record.reason);
+    }
+    for table in ["table_4_3.csv", "table_side_by_side.csv"] {
+        let table = text(&shop, &format!("out/{table}"));
+        let row = table.lines().find(|line| line.starts_with("botijo,own,")).unwrap();
+        assert!(row.contains(",0.00100000,"), "{row}");
+    }
+    assert!(!text(&shop, "out/index.html").contains("wall-clock time of its whole process"));
+}
+
 #[test]
 fn two_columns_of_somebody_else_reach_the_tables() {
     let shop = Workshop::new();
@@ -227,7 +255,9 @@ fn two_columns_of_somebody_else_reach_the_tables() {
     std::fs::write(shop.path("far.csv"), "mesh,seconds\nmytorus,0.5\n").unwrap();
     let refused = shop.refused("import far.csv --algorithm mymatch --out out");
     assert!(refused.ends_with("--other-meshes takes it in as a mesh of your own\n"), "{refused}");
-    shop.succeed("import two.csv --algorithm mymatch --out out --other-meshes");
+    let output = shop.run("import two.csv --algorithm mymatch --out out --other-meshes");
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.ends_with("on 1 mesh taken in; seconds taken as total_seconds\n"), "{said}");
     assert!(text(&shop, "out/table_data.csv").contains("botjo,mymatch,"));
     std::fs::write(shop.path("tests.csv"), "mesh,link_condition_tests\nB0,2e6\n").unwrap();
     shop.succeed("import tests.csv --algorithm mine --out out");

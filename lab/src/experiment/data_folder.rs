@@ -115,7 +115,10 @@ impl DataMesh {
         match triquad::Mesh::read(&mesh.path) {
             Err(error) => mesh.problem = Some(error.without_path().to_string()),
             Ok(list) => match Triangulation::build(&list) {
-                Err(survey) => mesh.problem = Some(survey.to_string()),
+                Err(survey) => {
+                    let why = "experiments take closed triangle meshes";
+                    mesh.problem = Some(format!("{survey}; {why}"));
+                }
                 Ok(built) => {
                     mesh.vertices = built.vertex_count() as u32;
                     mesh.triangles = built.triangle_count() as u32;

@@ -187,13 +187,18 @@ impl ProgramRun<'_> {
     /// Puts together what the program has of itself, what the check has counted and what was
     /// measured from outside.
     fn numbers(&self, own: Measured, verified: Measured, ending: &Ending, wall: f64) -> Measured {
-        let parts = own.pairing_seconds.zip(own.augmentation_seconds);
-        let total =
-            own.total_seconds.or(parts.map(|(pairing, augmentation)| pairing + augmentation));
+        // A stage without a time is one that the program does not have.
+        let parts = [own.pairing_seconds, own.augmentation_seconds].into_iter().flatten();
+        let parts = parts.reduce(|pairing, augmentation| pairing + augmentation);
         let mut numbers = confirmed(&own, &verified);
         match self.spec.task {
-            Task::Convert => numbers.total_seconds = total.or(Some(wall)),
-            Task::Irreducible => numbers.seconds = own.seconds.or(Some(wall)),
+            Task::Convert => {
+                let total = own.total_seconds.or(parts).or(own.seconds);
+                numbers.total_seconds = total.or(Some(wall));
+            }
+            Task::Irreducible => {
+                numbers.seconds = own.seconds.or(own.total_seconds).or(Some(wall));
+            }
         }
         numbers.peak_memory_bytes = own.peak_memory_bytes.or(ending.peak_memory_bytes);
         numbers

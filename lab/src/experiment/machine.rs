@@ -6,8 +6,17 @@ use super::results::MachineFacts;
 use crate::file_hash::hash_of_bytes;
 pub use crate::file_hash::{hash_of_file, hash_of_words};
 
-/// Returns the facts about this machine and this program that may change times.
-pub fn facts() -> MachineFacts {
+/// The build of the program.
+#[derive(Clone, Copy, Debug)]
+pub struct Build {
+    /// Profile of Cargo.
+    pub profile: &'static str,
+    /// Commit of the sources; empty if it is not known.
+    pub commit: &'static str,
+}
+
+/// Returns the facts about this machine and this `build` that may change times.
+pub fn facts(build: Build) -> MachineFacts {
     let mut system = System::new();
     system.refresh_memory();
     system.refresh_cpu_all();
@@ -22,9 +31,9 @@ pub fn facts() -> MachineFacts {
         ("architecture", Some(System::cpu_arch())),
         ("governor", governor()),
         ("compiler", Some(format!("rustc {}", rustc_version_runtime::version()))),
-        ("profile", Some(if cfg!(debug_assertions) { "debug" } else { "release" }.into())),
+        ("profile", Some(build.profile.into())),
         ("program", Some(program())),
-        ("commit", commit()),
+        ("commit", Some(build.commit.into()).filter(|commit: &String| !commit.is_empty())),
     ];
     facts.into_iter().filter_map(|(name, fact)| Some((name.to_owned(), fact?))).collect()
 }
@@ -45,21 +54,14 @@ fn governor() -> Option<String> {
     Some(std::fs::read_to_string(path).ok()?.trim().to_owned())
 }
 
-/// Returns the commit of the sources, where they are still there.
-fn commit() -> Option<String> {
-    let mut git = std::process::Command::new("git");
-    git.args(["-C", env!("CARGO_MANIFEST_DIR"), "describe", "--always", "--dirty", "--abbrev=12"]);
-    let output = git.output().ok().filter(|output| output.status.success())?;
-    Some(String::from_utf8(output.stdout).ok()?.trim().to_owned())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn equal_facts_have_one_name() {
-        let facts = facts();
+        let facts = facts(Build { profile: "release", commit: "" });
+        assert!(!facts.contains_key("commit"), "{facts:?}");
         assert!(facts.contains_key("cores") && facts.contains_key("compiler"), "{facts:?}");
         let mut other = facts.clone();
         other.insert("cores".into(), "many".into());

@@ -10,6 +10,7 @@ use super::program_spec::ProgramSpec;
 use super::results::Planned;
 use super::run_id::{MeshId, RunId};
 use super::spec::{Experiment, Limits, MeshGroup, RunSpec};
+use crate::algorithms::AlgorithmFacts;
 use crate::meshes::paper::{self, Scale};
 use triquad::random::Random;
 
@@ -21,9 +22,18 @@ pub struct Plan {
     /// The blocks. What is compared is in one block, so that it runs together on one machine.
     pub blocks: Vec<Block>,
     /// The meshes whose quads are drawn.
-    pub pictured: Vec<PlannedMesh>,
+    pub pictured: Vec<Pictured>,
     /// Remarks on the meshes of the data folders.
     pub remarks: Vec<String>,
+}
+
+/// A mesh whose quads are drawn.
+#[derive(Clone, Debug)]
+pub struct Pictured {
+    /// The mesh.
+    pub mesh: PlannedMesh,
+    /// Our algorithms that the experiment runs on it.
+    pub algorithms: Vec<&'static AlgorithmFacts>,
 }
 
 /// One mesh, one repetition, all its algorithms in a seeded random order.
@@ -80,8 +90,7 @@ impl Plan {
                 plan.add_group(experiment, group, data, &named)?;
             }
             if let Some(name) = &experiment.pictures {
-                let named = plan.blocks.iter().find(|block| block.mesh.name == *name);
-                let pictured = named.map(|block| block.mesh.clone());
+                let pictured = plan.pictured(experiment, name);
                 plan.pictured.push(pictured.ok_or_else(|| unknown(experiment, name))?);
             }
         }
@@ -90,6 +99,19 @@ impl Plan {
         let mut said = BTreeSet::new();
         plan.remarks.retain(|remark| said.insert(remark.clone()));
         Ok(plan)
+    }
+
+    /// Returns the mesh of that name with the algorithms that `experiment` runs on it.
+    fn pictured(&self, experiment: &Experiment, name: &str) -> Option<Pictured> {
+        let of_mesh = self.blocks.iter().filter(|block| block.mesh.name == name);
+        let mesh = of_mesh.clone().next()?.mesh.clone();
+        let own = of_mesh.filter(|block| block.id.experiment == experiment.name);
+        let jobs: Vec<Job> = own.flat_map(|block| &block.runs).map(|run| run.job).collect();
+        let is_run = |facts: &&AlgorithmFacts| {
+            let is_it = |job: &Job| job.facts().name == facts.name;
+            jobs.iter().any(|job| matches!(job, Job::Convert { .. }) && is_it(job))
+        };
+        Some(Pictured { mesh, algorithms: AlgorithmFacts::all().iter().filter(is_run).collect() })
     }
 
     fn add_group(
@@ -344,9 +366,19 @@ mod tests {
     }
 
     #[test]
+    fn pictures_are_of_what_is_run_on_the_mesh() {
+        let mut experiment = experiment(GROUPS);
+        experiment.pictures = Some("botijo".into());
+        let plan = Plan::new(&[experiment], Scale::Full, &[]).unwrap();
+        let [Pictured { mesh, algorithms }] = &plan.pictured[..] else { panic!("{plan:?}") };
+        let names: Vec<&str> = algorithms.iter().map(|facts| facts.name).collect();
+        assert_eq!((mesh.name.as_str(), &names[..]), ("botijo", &["sg", "ps", "gw"][..]));
+    }
+
+    #[test]
     fn shards_share_out_every_block_once() {
         let mut whole = Plan::new(&[experiment(GROUPS)], Scale::Demo, &[]).unwrap();
-        whole.pictured.push(whole.blocks[0].mesh.clone());
+        whole.pictured.push(Pictured { mesh: whole.blocks[0].mesh.clone(), algorithms: vec![] });
         let names = |plan: &Plan| {
             let name = |block: &Block| format!("{} {}", block.mesh.name, block.repetition);
             plan.blocks.iter().map(name).collect::<Vec<_>>()

@@ -41,7 +41,7 @@ pub struct ProgramSpec {
 
 /// A command: a list of words, or a line that is split into words as a shell does.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a command is a list of words, or one line")]
 pub enum Words {
     /// The words.
     List(Vec<String>),
@@ -254,6 +254,13 @@ mod tests {
         }
         let printed = ProgramSpec { stats: Some("-".into()), ..spec("\"run {mesh} {quads}\"") };
         assert!(printed.prints_stats() && printed.stats_file(places).is_none());
+    }
+
+    #[test]
+    fn what_is_no_command_is_told_what_one_is() {
+        let text = "name = \"mine\"\ntask = \"convert\"\ncommand = 3";
+        let fault = toml::from_str::<ProgramSpec>(text).unwrap_err();
+        assert_eq!(fault.message(), "a command is a list of words, or one line");
     }
 
     #[test]

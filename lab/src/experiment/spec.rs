@@ -44,7 +44,8 @@ use crate::meshes::paper::Scale;
 pub struct Experiment {
     /// Its name in records.
     pub name: String,
-    /// Subject, in a line.
+    /// Subject, in a line, for readers of the file.
+    #[serde(default)]
     pub title: String,
     /// Task of its runs.
     pub task: Task,
@@ -68,7 +69,7 @@ pub struct Experiment {
 
 /// When a run is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "timeout_seconds and memory_gigabytes")]
 pub struct Limits {
     /// Wall-clock time of its process.
     pub timeout_seconds: u64,
@@ -120,7 +121,7 @@ pub struct RunSpec {
 
 /// Repetitions at each scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a number a scale: { full = 3, small = 3, demo = 3 }")]
 pub struct Repetitions {
     /// As large as in the papers.
     pub full: u32,
@@ -138,11 +139,11 @@ impl Experiment {
     pub fn read(path: &Path) -> Result<Self, SpecFileError> {
         let text = std::fs::read_to_string(path).map_err(SpecError::Io);
         let read = text.and_then(|text| Self::parse(&text)).map(|mut experiment| {
-            let here = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-            let here = here.unwrap_or(Path::new(".")).to_owned();
-            experiment.programs.iter_mut().for_each(|program| program.here.clone_from(&here));
+            let folder = path.parent().unwrap_or(Path::new(""));
             let files = experiment.groups.iter_mut().flat_map(|group| &mut group.files);
-            files.for_each(|file| *file = here.join(&*file));
+            files.for_each(|file| *file = folder.join(&*file));
+            let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+            experiment.programs.iter_mut().for_each(|program| here.clone_into(&mut program.here));
             experiment
         });
         read.map_err(|error| SpecFileError { path: path.to_owned(), error })
@@ -230,14 +231,25 @@ impl RunSpec {
         for name in &self.algorithms {
             match programs.iter().find(|program| program.name == *name) {
                 Some(program) => jobs.push(program.job()),
-                None => jobs.extend(self.jobs_of(task, name, programs)?),
+                None => {
+                    let own = self.jobs_of(task, name, programs)?;
+                    // A program beside it would hide that it is not run.
+                    if own.is_empty() {
+                        return Err(self.nothing_to_run(task));
+                    }
+                    jobs.extend(own);
+                }
             }
         }
         if jobs.is_empty() {
-            let list = if task == Task::Convert { "augmentations" } else { "orders" };
-            return Err(SpecError::NothingToRun { algorithms: self.algorithms.clone(), list });
+            return Err(self.nothing_to_run(task));
         }
         Ok(jobs)
+    }
+
+    fn nothing_to_run(&self, task: Task) -> SpecError {
+        let list = if task == Task::Convert { "augmentations" } else { "orders" };
+        SpecError::NothingToRun { algorithms: self.algorithms.clone(), list }
     }
 
     /// Returns the jobs of an algorithm of ours.
@@ -341,6 +353,22 @@ mod tests {
         assert!(Experiment::parse(&twice).unwrap_err().to_string().starts_with("two programs"));
     }
 
+    /// As without the program: nothing that is named is left out in silence.
+    #[test]
+    fn a_program_hides_no_algorithm_that_lacks_augmentations() {
+        let program = "[[program]]\nname = \"mine\"\ntask = \"convert\"\n\
+                       command = \"run {mesh} {quads}\"\n[[group]]";
+        let text = TEXT.replace("[[group]]", program);
+        let text = text.replace("augmentations = [\"tarjan\", \"local\"]", "");
+        for algorithms in ["\"mine\", \"ps\"", "\"ps\", \"mine\""] {
+            let text = text.replace("\"ps\", \"lrs few-flips\"", algorithms);
+            let fault = Experiment::parse(&text).unwrap_err().to_string();
+            assert!(fault.ends_with("needs algorithms and augmentations"), "{fault}");
+        }
+        let alone = text.replace("\"ps\", \"lrs few-flips\"", "\"mine\"");
+        assert!(Experiment::parse(&alone).is_ok(), "a program needs none");
+    }
+
     #[test]
     fn what_is_wrong_is_named_with_its_line() {
         let problem = |from: &str, to: &str| {
@@ -369,5 +397,9 @@ mod tests {
         assert!(problem("name = \"g\"", "name = \"g\\nh\"").contains("control character"));
         let nothing = problem("augmentations = [\"tarjan\", \"local\"]", "orders = [\"file\"]");
         assert!(nothing.contains("needs algorithms and augmentations"), "{nothing}");
+        let often = problem("{ full = 10, small = 5, demo = 2 }", "3");
+        assert!(often.ends_with("expected a number a scale: { full = 3, small = 3, demo = 3 }"));
+        let limits = problem("[limits]\n", "limits = 3\n[other]\n");
+        assert!(limits.contains("expected timeout_seconds and memory_gigabytes"), "{limits}");
     }
 }

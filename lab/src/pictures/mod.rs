@@ -1,6 +1,5 @@
-//! Pictures of the quads that the algorithms make of one mesh of an experiment, and of the box.
-//!
-//! Which algorithms are drawn is decided in [`crate::algorithms`].
+//! Pictures of the quads that the algorithms of an experiment make of one of its meshes, and of the
+//! box.
 
 mod polygons;
 mod quads;
@@ -21,8 +20,9 @@ pub use shaft_box::{DRAWN_DEPTH, box_picture};
 use crate::algorithms::AlgorithmFacts;
 use crate::experiment::job::{UnknownNameError, find_conversion};
 use crate::experiment::machine::hash_of_words;
+use crate::experiment::plan::Pictured;
 use crate::experiment::planned_mesh::{PlannedMesh, Source};
-use crate::meshes::{Cache, GenerateError};
+use crate::meshes::{Cache, GenerateError, paper};
 use crate::whole_file;
 
 /// Reason why a mesh is not drawn.
@@ -60,7 +60,8 @@ pub fn are_complete(out: &Path) -> bool {
     !rows.is_empty() && rows.iter().all(|row| folder.join(&row.file).is_file())
 }
 
-/// Draws the quads of `mesh` and the box into `pictures` in `out`, unless these pictures are there.
+/// Draws the quads that algorithms make of a mesh into `pictures` in `out`, and the box if the mesh
+/// is one of the papers, unless these pictures are there.
 ///
 /// Takes seconds; `begin` is called before. Meshes that take long to make are kept in `cache`.
 ///
@@ -68,17 +69,20 @@ pub fn are_complete(out: &Path) -> bool {
 /// The mesh cannot be had, converted or drawn, or a file cannot be written.
 pub fn draw(
     out: &Path,
-    mesh: &PlannedMesh,
+    Pictured { mesh, algorithms }: &Pictured,
     cache: Option<&Path>,
     program_hash: &str,
     begin: impl FnOnce(),
 ) -> Result<(), DrawError> {
     let folder = out.join("pictures");
-    let drawn = AlgorithmFacts::all().iter().filter(|facts| facts.is_pictured);
-    let key = hash_of_words(&[program_hash, &mesh.name, &format!("{:?}", mesh.source)]);
+    let has_box = paper::named(&mesh.name).is_some();
+    let source = format!("{:?}", mesh.source);
+    let mut words = vec![program_hash, &mesh.name, &source];
+    words.extend(algorithms.iter().map(|facts| facts.name));
+    let key = hash_of_words(&words);
     let known = PictureRecord::read_all(&folder);
     let is_there = |row: &PictureRecord| row.key == key && folder.join(&row.file).is_file();
-    let count = View::ALL.len() * (drawn.clone().count() + 1);
+    let count = View::ALL.len() * (algorithms.len() + usize::from(has_box));
     if known.len() == count && known.iter().all(is_there) {
         return Ok(());
     }
@@ -86,8 +90,8 @@ pub fn draw(
     let input = read_or_make(mesh, cache)?;
     std::fs::create_dir_all(&folder)?;
     let about = PictureRecord { key, ..PictureRecord::default() };
-    let mut rows = draw_box(&folder, &about)?;
-    for facts in drawn {
+    let mut rows = if has_box { draw_box(&folder, &about)? } else { Vec::new() };
+    for facts in algorithms {
         let about = PictureRecord {
             mesh: mesh.name.clone(),
             mesh_kind: Some(mesh.kind()),

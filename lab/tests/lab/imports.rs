@@ -79,6 +79,14 @@ fn other_separators_are_named() {
 }
 
 #[test]
+fn more_than_all_is_no_share() {
+    assert_eq!(
+        refusal("mesh,paired_percent\nbotijo,100\neros,101.5\n"),
+        "line 3, column \"paired_percent\": \"101.5\" is no number from 0 to 100"
+    );
+}
+
+#[test]
 fn empty_cells_are_refused_where_a_value_is_needed_and_absent_elsewhere() {
     assert_eq!(
         refusal("mesh,total_seconds\nbotijo,0.5\n ,0.5\n"),

@@ -45,6 +45,8 @@ pub struct Imported {
     pub records: Vec<RunRecord>,
     /// Counts that were no whole numbers, as means are not, and were rounded.
     pub rounded: usize,
+    /// A column of times, and the one that the task has for it, where they differ.
+    pub renamed: Option<(&'static str, &'static str)>,
 }
 
 /// The columns that are no numbers of a run.
@@ -114,9 +116,9 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
     let mesh_of_first = columns.iter().position(|column| column == "mesh").map(|at| &first[at]);
     let job = job(settings, &columns, mesh_of_first.unwrap_or_default());
     // Of the two tasks' times, the one that the other calls so too.
-    let columns = with_times_of(job.task(), columns);
+    let (columns, renamed) = with_times_of(job.task(), columns);
     let names = StringRecord::from(columns.clone());
-    let mut imported = Imported { records: Vec::new(), rounded: 0 };
+    let mut imported = Imported { records: Vec::new(), rounded: 0, renamed };
     for row in rows {
         let row = checked(&row, &columns, &header, &mut imported.rounded)?;
         refuse_empty(&row, &columns, &header)?;
@@ -255,19 +257,24 @@ fn job(settings: &ImportSettings, columns: &[String], mesh: &str) -> Job {
     }
 }
 
-/// Returns the columns with the name that a task has for its time: a lone `seconds` of a conversion
-/// is its total, a lone total of a reduction its `seconds`.
-fn with_times_of(task: Task, mut columns: Vec<String>) -> Vec<String> {
+/// Returns the columns with the name that a task has for its time, and the change if there is one:
+/// a lone `seconds` of a conversion is its total, a lone total of a reduction its `seconds`.
+fn with_times_of(
+    task: Task,
+    mut columns: Vec<String>,
+) -> (Vec<String>, Option<(&'static str, &'static str)>) {
     let (from, to) = match task {
         Task::Convert => ("seconds", "total_seconds"),
         Task::Irreducible => ("total_seconds", "seconds"),
     };
-    if !columns.iter().any(|column| column == to) {
-        for column in columns.iter_mut().filter(|column| *column == from) {
-            to.clone_into(column);
-        }
+    if columns.iter().any(|column| column == to) {
+        return (columns, None);
     }
-    columns
+    let renamed = columns.iter_mut().find(|column| *column == from).map(|column| {
+        to.clone_into(column);
+        (from, to)
+    });
+    (columns, renamed)
 }
 
 /// Returns the row with whole counts, if every number is one.
@@ -299,6 +306,9 @@ fn checked(
         let value: f64 = field.parse().map_err(|_| bad("number"))?;
         if !value.is_finite() || value < 0.0 && !column.starts_with("quality") {
             return Err(bad("number from 0"));
+        }
+        if column.ends_with("percent") && value > 100.0 {
+            return Err(bad("number from 0 to 100"));
         }
         if is_fraction || field.parse::<u64>().is_ok() {
             fields.push(field.to_owned());

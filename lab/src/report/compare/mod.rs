@@ -57,6 +57,12 @@ pub struct Comparison {
 }
 
 impl Comparison {
+    /// Returns whether any claim is about these records.
+    pub fn says_anything(&self) -> bool {
+        let silent = [Verdict::NotComparable, Verdict::PaperInconsistent];
+        self.verdicts.iter().any(|judged| !silent.contains(&judged.verdict))
+    }
+
     /// Returns the number of claims of that verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.verdicts.iter().filter(|judged| judged.verdict == verdict).count()

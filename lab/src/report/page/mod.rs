@@ -23,7 +23,6 @@ pub use parts::{Parts, PictureFile};
 
 use topic::Topic;
 
-use super::compare::Verdict;
 use super::plots::Plot;
 use crate::counted::counted;
 
@@ -81,7 +80,7 @@ pub fn render(parts: &Parts) -> String {
         lrs_against_ps,
         papers: paper_sections::papers(parts, &topic),
         other_plots: paper_sections::other_plots(parts),
-        other_pictures: paper_sections::other_pictures(parts),
+        other_pictures: paper_sections::other_pictures(parts, &topic),
         other_tables: match topic {
             Topic::Papers => paper_sections::other_tables(parts),
             Topic::Own(_) => paper_sections::own_tables(parts),
@@ -112,15 +111,13 @@ impl Page<'_> {
                 "references",
             ];
         }
-        let silent = [Verdict::NotComparable, Verdict::PaperInconsistent];
-        let judged = &parts.comparison.verdicts;
         let has_papers = !self.papers.is_empty();
         let sections = [
             ("other_tables", !self.other_tables.is_empty()),
             ("other_plots", !(self.other_plots.is_empty() && self.other_pictures.is_empty())),
             ("papers", has_papers),
             ("better_augmentation", self.lrs_against_ps.is_answered()),
-            ("verdicts", judged.iter().any(|judged| !silent.contains(&judged.verdict))),
+            ("verdicts", parts.comparison.says_anything()),
             ("definitions", true),
             ("references", has_papers),
         ];

@@ -42,13 +42,16 @@ const QUADS: [(&str, &str); 4] = [("5.11", "sg"), ("5.12", "ps"), ("5.13", "ds")
 /// results there are only those with content, and of tables only the meshes with runs.
 pub fn papers<'a>(parts: &Parts<'a>, topic: &Topic) -> Vec<PaperSection<'a>> {
     let mut comparison = tables(parts, Paper::Comparison, topic);
-    for (number, algorithm) in QUADS {
-        let label = AlgorithmFacts::named(algorithm).map_or(algorithm, |facts| facts.label);
-        let own = pictures(parts, |picture| picture.record.algorithm == algorithm);
+    // Pictures of an own mesh are no counterpart of the papers' figures.
+    let figures = if topic.is_own() { &[][..] } else { &QUADS };
+    for (number, algorithm) in figures {
+        let label = AlgorithmFacts::named(algorithm).map_or(*algorithm, |facts| facts.label);
+        let own = pictures(parts, |picture| picture.record.algorithm == *algorithm);
         comparison.push(figure(number, &format!("quads made by {label}"), Vec::new(), own));
     }
     let mut irreducible = tables(parts, Paper::Irreducible, topic);
-    let of_box = pictures(parts, |picture| picture.record.subject == Subject::Box);
+    let of_box =
+        pictures(parts, |picture| picture.record.subject == Subject::Box && !topic.is_own());
     irreducible.push(figure("14", "the box with 3,844 cavities", Vec::new(), of_box));
     for (number, group) in [(15, "first"), (16, "second"), (17, "third"), (18, "fourth")] {
         let heading = format!("times of RS, S and BF on the {group} group");
@@ -137,9 +140,9 @@ pub fn other_plots<'a>(parts: &Parts<'a>) -> Vec<&'a Plot> {
     plots(parts, Counterpart::Nothing)
 }
 
-/// Returns the pictures of algorithms that the paper does not show.
-pub fn other_pictures(parts: &Parts) -> Vec<PictureView> {
-    let shown = |algorithm: &str| QUADS.iter().any(|quads| quads.1 == algorithm);
+/// Returns the pictures of algorithms that the paper does not show; beside own results, of all.
+pub fn other_pictures(parts: &Parts, topic: &Topic) -> Vec<PictureView> {
+    let shown = |algorithm: &str| !topic.is_own() && QUADS.iter().any(|quads| quads.1 == algorithm);
     pictures(parts, |PictureFile { record, .. }| {
         record.subject == Subject::Quads && !shown(&record.algorithm)
     })
@@ -169,7 +172,19 @@ pub fn own_tables(parts: &Parts) -> Vec<TableView> {
         let place = FIRST.iter().position(|file| *file == table.file);
         (place.unwrap_or(FIRST.len()), is_of_pairs(table))
     });
-    views(&tables, parts)
+    let mut views = views(&tables, parts);
+    for (view, table) in views.iter_mut().zip(tables) {
+        view.rename(own_title(table));
+    }
+    views
+}
+
+/// Returns the title of a table without what it says of the papers and their edge flips.
+fn own_title(table: &ReportTable) -> &'static str {
+    match table.file {
+        "table_data.csv" => "Times and unpaired triangles",
+        _ => table.title.split(": what edge flips").next().unwrap_or(table.title),
+    }
 }
 
 fn without_counterpart<'a>(parts: &Parts<'a>) -> Vec<&'a ReportTable> {

@@ -84,6 +84,11 @@ impl TableView {
             },
         }
     }
+
+    /// Gives it another title.
+    pub fn rename(&mut self, title: &'static str) {
+        self.title = title;
+    }
 }
 
 /// Returns where links to a table lead: `table-4-4-ii` for `table_4_4_ii.csv`.

@@ -209,7 +209,7 @@ fn draw_key<DB: DrawingBackend>(canvas: &Canvas<DB>, chart: &Chart) -> Drawn<DB>
         return Ok(());
     }
     let column = ((WIDTH as i32 - 76) * canvas.scale, (HEAD as i32 - 9) * canvas.scale);
-    canvas.text("our total", column, SMALL, HPos::Left)?;
+    canvas.text("total", column, SMALL, HPos::Left)?;
     let half = 6 * canvas.scale;
     for (paint, name) in [(BLUE, "(a) initial pairing"), (ORANGE, "(d) augmentation")] {
         canvas.bar([(x - half, y - half), (x + half, y + half)], colour(paint))?;

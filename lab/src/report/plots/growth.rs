@@ -67,9 +67,11 @@ pub fn totals(summary: &Summary) -> Vec<Chart> {
         is_tarjan || job.is_program()
     };
     let of_group = |(group, meshes): (&str, &str)| {
-        let title = format!("Total time on {meshes}, as published (tarjan)");
-        let cells = summary.of_group(Paper::Comparison, group).filter(is_published);
-        total(format!("total_{group}"), title, cells.collect())
+        let cells: Vec<&Cell> =
+            summary.of_group(Paper::Comparison, group).filter(is_published).collect();
+        let has_ours = cells.iter().any(|cell| !cell.id.job.is_program());
+        let how = if has_ours { ", as published (tarjan)" } else { "" };
+        total(format!("total_{group}"), format!("Total time on {meshes}{how}"), cells)
     };
     let mut charts: Vec<Chart> = groups.into_iter().map(of_group).collect();
     let perfect = |cell: &&Cell| match cell.id.job {
@@ -79,8 +81,10 @@ pub fn totals(summary: &Summary) -> Vec<Chart> {
         }
         _ => false,
     };
-    let cells = summary.of_paper(Paper::Comparison).filter(perfect).collect();
-    let title = "Growth of TQ, GW and DS on all meshes".into();
+    let cells: Vec<&Cell> = summary.of_paper(Paper::Comparison).filter(perfect).collect();
+    let is_run = |label: &&str| cells.iter().any(|cell| cell.id.job.facts().label == *label);
+    let labels: Vec<&str> = ["TQ", "GW", "DS"].into_iter().filter(is_run).collect();
+    let title = format!("Growth of {} on all meshes", labels.join(", "));
     charts.push(total("growth_tq_gw_ds".into(), title, cells));
     charts
 }
@@ -120,7 +124,8 @@ fn chart(stem: String, title: String, cells: Vec<&Cell>, time: Time, against_gen
 fn series(cells: &[&Cell], time: Time, against_genus: bool) -> Series {
     let points = points(cells, time, against_genus);
     let law: Vec<(f64, f64)> = points.iter().map(|point| (point.x, point.y)).collect();
-    let fit = if against_genus { None } else { PowerLaw::through(&law) };
+    // Two points determine a line, whatever the growth.
+    let fit = PowerLaw::through(&law).filter(|fit| !against_genus && fit.n > 2);
     let facts = cells[0].id.job.facts();
     let (name, look) = (facts.label.into(), facts.look);
     Series { name, look, is_printed: false, points, joined: true, fit }
