@@ -204,9 +204,9 @@ impl std::fmt::Display for Algorithm {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Lrs(variant) if *variant != Expansion::default() => {
-                write!(f, "{} {variant}", self.id())
+                f.pad(&format!("{} {variant}", self.id()))
             }
-            _ => f.write_str(self.id()),
+            _ => f.pad(self.id()),
         }
     }
 }
