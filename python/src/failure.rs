@@ -121,7 +121,10 @@ impl Failure {
     pub fn of_conversion(error: ConvertError, open: bool, orient: bool) -> Self {
         match error {
             ConvertError::Refused(survey) if !open && survey.is_open_surface(orient) => {
-                Self::refusal(&survey, "; open=True converts it and leaves the fewest triangles")
+                Self::refusal(
+                    &survey,
+                    "; open=True converts it and leaves over as few triangles as possible",
+                )
             }
             ConvertError::Refused(survey) => survey.into(),
             ConvertError::Stopped(_) => Self::Stopped,
