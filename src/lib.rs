@@ -27,6 +27,7 @@
 //! | choose how triangles are paired | [`Converter::algorithm`], [`pairing`] |
 //! | write a pairing algorithm | [`DualGraph`], [`Matching`], [`make_maximum`], `examples/own_pairing.rs` |
 //! | check quads of any origin | [`check`] |
+//! | measure the shape of quads | [`Quality`](quadrangulation::quality::Quality) |
 //! | reduce a mesh to a number of vertices, with the same topology | [`simplify`] |
 //! | contract edges until the triangulation is irreducible | [`irreducible`] |
 //!
@@ -53,7 +54,7 @@
 //! | [`dual`] | the dual graph and matchings in it | section 2 |
 //! | [`matching`] | alternating trees and blossoms; perfect matchings of least cost | |
 //! | [`irreducible`] | contraction until no edge can be contracted: RS, Schipper's, brute force | |
-//! | [`pairing`] | initial pairings: SG, PS, DS, GW, LRS, two of ours | section 3 |
+//! | [`pairing`] | initial pairings, one for each [`Algorithm`] | section 3 |
 //! | [`augmentation`] | augmenting paths, as published and ours | section 3.1 |
 //! | [`quadrangulation`] | the quads, and a check independent of their construction | section 2 |
 //! | [`simplify`] | an exact number of vertices, same topology | section 4 |

@@ -44,7 +44,7 @@ macro_rules! named {
 
         impl std::fmt::Display for $name {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str(self.$id())
+                f.pad(self.$id())
             }
         }
 
@@ -73,3 +73,21 @@ macro_rules! serde_as_string {
 }
 
 pub(crate) use {named, serde_as_string};
+
+#[cfg(test)]
+mod tests {
+    use crate::triangulation::Law;
+    use crate::{Algorithm, Augmentation, Expansion};
+
+    #[test]
+    fn names_fill_the_width_of_their_column() {
+        assert_eq!(format!("{:>8}|", Algorithm::Velho), "   velho|");
+        let variant = Algorithm::Lrs(Expansion::FewFlips);
+        assert_eq!(format!("{variant:<15}|"), "lrs few-flips  |");
+        assert_eq!(
+            format!("{:>8}|{:<9}|", Augmentation::Local, Expansion::Printed),
+            "   local|printed  |"
+        );
+        assert_eq!(format!("{:^14}|", Law::OneFan), " several-fans |");
+    }
+}

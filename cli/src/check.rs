@@ -110,7 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let all_quads = matches!(surface, Built::Closed(_)) && !may_leave;
     let needs_pairs = statement.is_some() || arguments.stats.is_some();
     let (report, matching) = compare(&quads, &paired, all_quads, needs_pairs)
-        .map_err(|mismatch| failure(arguments, &surface, &quads, &mismatch))?;
+        .map_err(|mismatch| failure(arguments, &surface, &quads, &paired, &mismatch))?;
     let proof = match (&statement, &matching) {
         (Some(statement), Some(matching)) => match &surface {
             Built::Closed(surface) => statement.verify(surface, &paired, matching)?,
@@ -183,8 +183,13 @@ fn read_paired(
         ));
     }
     let paired = input::read_triangulation(path, arguments.repairs)?;
-    check_retriangulation(&paired, given)
-        .map_err(|mismatch| Failure::no(format!("{}: {mismatch}", path.display())))?;
+    check_retriangulation(&paired, given).map_err(|mismatch| {
+        let where_it_is = match mismatch {
+            CheckError::Moved(v) => displacement(v, &paired, given),
+            _ => String::new(),
+        };
+        Failure::no(format!("{}: {mismatch}{where_it_is}", path.display()))
+    })?;
     Ok(paired)
 }
 
@@ -206,7 +211,13 @@ fn compare(
 }
 
 /// Words what the check found.
-fn failure(arguments: &Arguments, surface: &Built, quads: &Mesh, mismatch: &CheckError) -> Failure {
+fn failure(
+    arguments: &Arguments,
+    surface: &Built,
+    quads: &Mesh,
+    triangles: &Mesh,
+    mismatch: &CheckError,
+) -> Failure {
     let is_triangle = |face: usize| quads.faces().get(face).is_some_and(|face| face.len() == 3);
     let remedy = match (mismatch, surface) {
         // On other vertices, QUADS was not made from TRIANGLES, and --open not meant.
@@ -217,11 +228,27 @@ fn failure(arguments: &Arguments, surface: &Built, quads: &Mesh, mismatch: &Chec
             return input::refusal(&arguments.against, None, survey, arguments.repairs, remedy);
         }
         (CheckError::NotAQuad(face), _) if is_triangle(*face) => {
-            "; --open allows triangles that are left over"
+            "; --open allows triangles that are left over".into()
         }
-        _ => "",
+        (CheckError::Moved(v), _) => displacement(*v, quads, triangles),
+        _ => String::new(),
     };
     Failure::no(format!("{}: {mismatch}{remedy}", arguments.quads.display()))
+}
+
+/// Words where vertex `v` is in both meshes, and what may have moved it.
+fn displacement(v: usize, quads: &Mesh, triangles: &Mesh) -> String {
+    let [ours, given] = [quads, triangles].map(|mesh| mesh.positions()[v]);
+    let single = |at: [f64; 3]| at.map(|coordinate| coordinate as f32);
+    let remedy = match single(ours) == single(given) {
+        true => {
+            "the same in single precision, such as STL has: one file is rounded; compare with \
+             the file that was converted"
+        }
+        false => "compare with the file that was converted",
+    };
+    let [ours, given] = [ours, given].map(|at| at.map(|coordinate| coordinate.to_string()));
+    format!(": ({}) for ({}); {remedy}", ours.join(" "), given.join(" "))
 }
 
 /// Writes what was found to be right.

@@ -38,8 +38,8 @@ impl<'a> Table<'a> {
     pub fn add(&mut self, converted: Converted) {
         let report = converted.report().clone();
         let cost = self.cost(converted);
-        let quality = report.quality.as_ref();
-        let shape = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
+        let quality = report.quality.as_ref().filter(|_| report.quads > 0);
+        let shape = |value: Option<f64>| value.map_or("-".into(), three_digits);
         let sharp = report.sharp_edges.map(|sharp| format!("{} of {}", sharp.kept, sharp.all));
         self.rows.push([
             report.algorithm.to_string(),
@@ -81,6 +81,12 @@ impl<'a> Table<'a> {
         let matching = check_mixed(quads, triangles).ok()?.matching;
         Some(objective.cost(&DualGraph::new(surface), &matching))
     }
+}
+
+/// Writes a number with three digits behind the point, zero without a sign.
+fn three_digits(value: f64) -> String {
+    let text = format!("{value:.3}");
+    if text == "-0.000" { "0.000".into() } else { text }
 }
 
 /// Writes seconds; short ones with more digits, so that they are not 0.

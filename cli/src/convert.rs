@@ -284,7 +284,8 @@ fn conversion_failure(
     match error {
         ConvertError::Refused(survey) => {
             let opens = !arguments.open && survey.is_open_surface(arguments.repairs.orient);
-            let remedy = opens.then_some("--open converts it and leaves the fewest triangles");
+            let remedy =
+                opens.then_some("--open converts it and leaves over as few triangles as possible");
             let again = if mesh.is_none() { read_again(arguments) } else { None };
             input::refusal(input, mesh.or(again.as_ref()), survey, arguments.repairs, remedy)
         }

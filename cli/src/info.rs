@@ -11,7 +11,7 @@ use crate::formats::reads;
 use crate::input::Repairs;
 use crate::progress::StatusLine;
 use crate::remedies::Refused;
-use crate::{input, stdio};
+use crate::{input, shell, stdio};
 
 /// Print counts, genus and components of a mesh, and every law that it breaks
 ///
@@ -89,7 +89,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         laws => format!("{laws} laws"),
     };
     let way = match &info.convert_options {
-        Some(options) => format!("it can be converted with 'triquad convert {options}'"),
+        Some(options) => {
+            let input = shell::word(input);
+            format!("it can be converted with 'triquad convert {input} {options}'")
+        }
         None => "it cannot be converted as it is".into(),
     };
     Err(Failure::bad(format!("{}: breaks {laws}, {way}", info.input)))

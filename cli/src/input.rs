@@ -7,7 +7,7 @@ use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
 
 use crate::failure::{Facts, Failure};
-use crate::{remedies, stdio};
+use crate::{remedies, shell, stdio};
 
 /// Options of reading a mesh.
 #[derive(clap::Args, Clone, Copy, Default)]
@@ -114,8 +114,9 @@ pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangula
     let triangulation = build_oriented(mesh, repairs);
     triangulation.map_err(|survey| {
         let opens = survey.is_open_surface(repairs.orient);
-        let remedy = opens.then_some("only 'convert --open' and check take it as it is");
-        refusal(path, Some(mesh), &survey, repairs, remedy)
+        let word = shell::word(path);
+        let remedy = format!("only 'triquad convert {word} --open' and check take it as it is");
+        refusal(path, Some(mesh), &survey, repairs, opens.then_some(&remedy))
     })
 }
 
@@ -166,7 +167,11 @@ pub fn repair(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<(), Fail
 
 /// Makes the failure of a file that could not be read or written.
 pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
-    let remedy = error.remedy().to_owned();
+    let remedy = match error {
+        MeshError::Expanded(_) => "if it is to be that large, raise the limit with --max-expanded",
+        error => error.remedy(),
+    };
+    let remedy = remedy.to_owned();
     let problem = match error {
         MeshError::File { error, .. } => return mesh_failure(path, error),
         MeshError::Io(error) => system_problem(error),
@@ -196,8 +201,11 @@ pub fn refusal(
     let first = survey.violations[0];
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
-        1 => " (and 1 other law is broken, see 'triquad info')".into(),
-        more => format!(" (and {more} other laws are broken, see 'triquad info')"),
+        1 => format!(" (and 1 other law is broken, see 'triquad info {}')", shell::word(path)),
+        more => {
+            let word = shell::word(path);
+            format!(" (and {more} other laws are broken, see 'triquad info {word}')")
+        }
     };
     // Readers of OBJ files expect numbers that count from 1.
     let from_one = match (Format::from_path(path), first.element) {
@@ -206,7 +214,7 @@ pub fn refusal(
     };
     let name = first.law.name();
     let mut remedy = match mesh {
-        Some(mesh) => remedies::Refused::new(mesh, path, repairs).remedy(&first),
+        Some(mesh) => remedies::Refused::new(mesh, path, repairs).full_remedy(survey),
         None => remedies::general(first.law, repairs).into(),
     };
     if let Some(other) = other_remedy {

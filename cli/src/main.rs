@@ -43,6 +43,7 @@ mod report;
 mod results_folder;
 mod run;
 mod several;
+mod shell;
 mod simplify;
 #[cfg(target_os = "linux")]
 mod stack;
@@ -50,13 +51,15 @@ mod stdio;
 mod targets;
 mod threads;
 
+use std::ffi::OsString;
 use std::num::NonZeroUsize;
+use std::path::Path;
 use std::process::ExitCode;
 #[cfg(unix)]
 use std::sync::Arc;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;
 use formats::FORMATS;
 
@@ -73,7 +76,8 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 #[command(version, after_help = format!(
     "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is any of them on standard input, \
      OBJ on standard output.\nExit codes: 0 done, 1 a check failed, 2 bad input or usage, 130 \
-     interrupted.\n\n\
+     interrupted.\nMessages: vertices, edges and faces have numbers that count from 1, in file \
+     order.\n\n\
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {
@@ -212,10 +216,26 @@ fn explain_usage(error: &clap::Error) -> ExitCode {
     // The arguments that say how to print were not parsed.
     let json = std::env::args_os().any(|argument| argument == "--json");
     stdio::settle(stdio::Voice { json, ..stdio::Voice::default() });
-    let remedy = suggestion(error).unwrap_or("'triquad --help' explains".into());
+    let remedy = suggestion(error).unwrap_or_else(|| {
+        let command = command_of(std::env::args_os().skip(1));
+        format!("'{command} --help' explains")
+    });
     let failure = Failure::bad(format!("{}; {remedy}", words.join(" ")));
     stdio::fail(&failure);
     ExitCode::from(failure.code)
+}
+
+/// Returns the command with the verbs that are among the arguments, for its help.
+fn command_of(arguments: impl Iterator<Item = OsString>) -> String {
+    let mut command = Arguments::command();
+    let mut words = vec!["triquad".to_owned()];
+    for argument in arguments {
+        if let Some(verb) = command.find_subcommand(&argument) {
+            words.push(verb.get_name().to_owned());
+            command = verb.clone();
+        }
+    }
+    words.join(" ")
 }
 
 /// Returns what was meant, if that can be guessed.
@@ -229,6 +249,7 @@ fn suggestion(error: &clap::Error) -> Option<String> {
     if let Some(file) = first(ContextKind::InvalidSubcommand)
         && triquad::mesh::Format::from_path(file).is_ok()
     {
+        let file = shell::word(Path::new(file));
         return Some(format!("did you mean 'triquad convert {file}'?"));
     }
     let similar =

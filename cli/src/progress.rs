@@ -72,6 +72,7 @@ impl Progress for StatusLine {
             Stage::Building => self.say("building the triangulation"),
             Stage::Pairing => self.say("pairing triangles"),
             Stage::Checking => self.say("checking the quads"),
+            Stage::Augmenting(0) => {}
             Stage::Augmenting(paths) => {
                 let template = "{spinner} augmenting paths: {pos} of {len} found, {eta} left";
                 if let Ok(style) = ProgressStyle::with_template(template) {

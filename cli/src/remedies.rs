@@ -20,11 +20,19 @@ pub struct Refused<'a> {
 
 const CUT_OFF: &str = "if the file was cut off, copy or export it again";
 
-/// Returns what helps against a broken law of a mesh that is not at hand any more.
+const CLEAN: &str = "--clean drops degenerate faces";
+
+/// Returns what helps against a broken law of a mesh that is not at hand any more: an option of the
+/// command where the library has a function.
 pub fn general(law: Law, repairs: Repairs) -> &'static str {
     match law {
-        Law::Triangle if repairs.triangulate => Law::DistinctCorners.remedy(),
+        Law::Triangle if repairs.triangulate => CLEAN,
+        Law::Triangle => "--triangulate cuts larger faces into triangles; remove smaller ones",
+        Law::DistinctCorners => CLEAN,
+        Law::DistinctFaces => "--clean drops triangles that are there twice",
         Law::NoBoundary if repairs.reading.weld.is_some() => "close the holes",
+        Law::NoBoundary => "close the holes, or use --weld if the gaps are seams",
+        Law::ConsistentOrientation => "--orient flips faces until they agree",
         law => law.remedy(),
     }
 }
@@ -51,6 +59,24 @@ impl<'a> Refused<'a> {
                 None => self.for_holes(),
             },
             law => general(law, self.repairs).into(),
+        }
+    }
+
+    /// Returns what helps against the first of the laws of `survey`, and whether an option that it
+    /// names does not suffice. `--open` is not counted: it is no repair.
+    pub fn full_remedy(&self, survey: &Survey) -> String {
+        let remedy = self.remedy(&survey.violations[0]);
+        if !remedy.contains("--") {
+            return remedy;
+        }
+        let Repairs { clean, orient, triangulate, reading } = self.repairs;
+        let on = [clean, orient, triangulate, reading.weld.is_some()];
+        let on = on.into_iter().filter(|&is_on| is_on).count();
+        let repairs = |way: &String| way.replace("--open", "").matches("--").count();
+        match self.options(survey).as_ref().map(repairs) {
+            None => format!("{remedy}, but no options suffice for this mesh"),
+            Some(needed) if needed > on + 1 => format!("{remedy}, but more options are needed"),
+            Some(_) => remedy,
         }
     }
 
@@ -87,10 +113,10 @@ impl<'a> Refused<'a> {
                     true => format!(" and is the last: {CUT_OFF}"),
                     false => String::new(),
                 };
-                format!("it has {corners} corner{s}{end}; --clean drops degenerate faces")
+                format!("it has {corners} corner{s}{end}; {CLEAN}")
             }
             // What is left of larger faces after cutting repeats a corner.
-            _ if self.repairs.triangulate => Law::DistinctCorners.remedy().into(),
+            _ if self.repairs.triangulate => CLEAN.into(),
             _ => "--triangulate cuts larger faces into triangles".into(),
         }
     }

@@ -107,7 +107,7 @@ impl Failure {
             more => format!(" ({more} other laws are broken, see triquad.survey)"),
         };
         let argument = if first.law == Law::FiniteCoordinate { "vertices" } else { "triangles" };
-        let remedy = remedy(first.law) + other_remedy;
+        let remedy = remedy(first.law).to_owned() + other_remedy;
         Self::Mesh(Box::new(MeshFailure {
             message: format!("{argument}: {}{others}; {remedy}", sentence(&first)),
             law: first.law.name(),
@@ -121,7 +121,10 @@ impl Failure {
     pub fn of_conversion(error: ConvertError, open: bool, orient: bool) -> Self {
         match error {
             ConvertError::Refused(survey) if !open && survey.is_open_surface(orient) => {
-                Self::refusal(&survey, "; open=True converts it and leaves the fewest triangles")
+                Self::refusal(
+                    &survey,
+                    "; open=True converts it and leaves over as few triangles as possible",
+                )
             }
             ConvertError::Refused(survey) => survey.into(),
             ConvertError::Stopped(_) => Self::Stopped,
@@ -206,23 +209,16 @@ pub fn sentence(violation: &Violation) -> String {
     format!("{subject} {}{more}", violation.law.complaint())
 }
 
-/// Returns the remedy with options in the form of Python: `--orient` becomes `orient=True`.
-pub fn remedy(law: Law) -> String {
-    // Of what the command has options for, and this package has not.
-    let without_option = match law {
-        Law::NoBoundary => Some("close the holes, or merge equal vertices if the gaps are seams"),
-        Law::DistinctCorners => Some("remove degenerate faces"),
-        Law::DistinctFaces => Some("remove duplicate faces"),
-        _ => None,
-    };
-    if let Some(remedy) = without_option {
-        return remedy.into();
+/// Returns the remedy, with options of this package where the library has a function.
+pub fn remedy(law: Law) -> &'static str {
+    match law {
+        Law::Triangle => "triangulate=True cuts larger faces into triangles; remove smaller ones",
+        Law::DistinctCorners => "remove degenerate faces",
+        Law::DistinctFaces => "remove duplicate faces",
+        Law::NoBoundary => "close the holes, or merge equal vertices if the gaps are seams",
+        Law::ConsistentOrientation => "orient=True flips faces until they agree",
+        law => law.remedy(),
     }
-    let word = |word: &str| match word.strip_prefix("--") {
-        Some(option) => format!("{}=True", option.replace('-', "_")),
-        None => word.to_owned(),
-    };
-    law.remedy().split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// Returns the name of what a check found and the element that it is about.

@@ -6,7 +6,8 @@ use crate::pairing::{Algorithm, ProofError};
 use crate::quadrangulation::{CheckError, CostCountError, NoSuchEdgeError};
 use crate::triangulation::Survey;
 
-/// Reason why a mesh was not converted.
+/// Reason why a mesh was not converted. Displayed numbers of vertices and faces count from 1,
+/// stored ones from 0.
 ///
 /// `Debug` writes the message, of a refused mesh with the remedy: an error that `main` returns is
 /// printed by `Debug`.

@@ -230,16 +230,15 @@ impl Report {
         let (Some(quality), Some(sharp)) = (&self.quality, &self.sharp_edges) else {
             return Ok(());
         };
+        if self.quads > 0 {
+            let [mean, worst] = [quality.mean, quality.minimum].map(three_digits);
+            let folded = quality.folded;
+            write!(f, "; quality {mean} in the mean, {worst} at worst, {folded} folded")?;
+        }
         write!(
             f,
-            "; quality {:.3} in the mean, {:.3} at worst, {} folded; {} of {} edges over 30 \
-             degrees kept; {} vertices of degree 2",
-            quality.mean,
-            quality.minimum,
-            quality.folded,
-            sharp.kept,
-            sharp.all,
-            self.degree_two_vertices,
+            "; {} of {} edges over 30 degrees kept; {} vertices of degree 2",
+            sharp.kept, sharp.all, self.degree_two_vertices,
         )
     }
 
@@ -282,6 +281,12 @@ impl fmt::Display for Report {
         self.fmt_shape(f)?;
         write!(f, "; paired in {}", duration(self.total_seconds()))
     }
+}
+
+/// Writes a number with three digits behind the point, zero without a sign.
+fn three_digits(value: f64) -> String {
+    let text = format!("{value:.3}");
+    if text == "-0.000" { "0.000".into() } else { text }
 }
 
 /// Writes seconds; short ones with more digits, so that they are not 0.
@@ -355,5 +360,18 @@ impl serde::Serialize for Report {
             map.serialize_entry("sharp_edges_kept", &sharp.kept)?;
         }
         map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::three_digits;
+
+    #[test]
+    fn zero_has_no_sign() {
+        assert_eq!(
+            [-0.0004, -0.0, 0.0004, -0.0006].map(three_digits),
+            ["0.000", "0.000", "0.000", "-0.001"]
+        );
     }
 }

@@ -101,7 +101,9 @@ impl MeshError {
             Self::Malformed { .. } => "correct the file there or export it again",
             Self::Truncated { .. } => "copy or export the file again",
             Self::Foreign { remedy, .. } => remedy,
-            Self::Expanded(_) => "if it is to be that large, raise the limit with --max-expanded",
+            Self::Expanded(_) => {
+                "if it is to be that large, raise the limit (Reader::max_expanded)"
+            }
             Self::TooLarge => "split the mesh into components and convert them one by one",
         }
     }

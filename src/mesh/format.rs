@@ -61,7 +61,7 @@ impl FromStr for Format {
 impl fmt::Display for Format {
     /// Writes the extension.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        f.pad(match self {
             Self::Obj => "obj",
             Self::Ply => "ply",
             Self::Off => "off",

@@ -28,13 +28,13 @@ use crate::triangulation::{EdgeSet, Element, Surface};
 pub struct Keep {
     /// All edges at which the surface bends by more than so many degrees, from 0 to 180.
     pub sharp: Option<f64>,
-    /// Edges by their two vertices.
+    /// Edges by their two vertices, from 0.
     pub edges: Vec<[u32; 2]>,
     /// Edges between faces of other texture coordinates, objects, groups or materials.
     pub seams: bool,
 }
 
-/// An edge to keep that the mesh does not have.
+/// An edge to keep that the mesh does not have. Displayed numbers count from 1, stored ones from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{} is no edge of the mesh", Element::Edge(ends[0], ends[1]))]
 pub struct NoSuchEdgeError {

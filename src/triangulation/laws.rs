@@ -93,22 +93,27 @@ impl Law {
         }
     }
 
-    /// Returns the remedy, as an instruction to the user.
+    /// Returns the remedy, as an instruction to a program: it names functions of the library.
     pub fn remedy(self) -> &'static str {
         match self {
             Self::NotEmpty => "check that the file is a mesh and was exported with faces",
             Self::NotTooLarge => "split the mesh into components and convert them one by one",
             Self::IndexInRange => "correct the face or export the mesh again",
             Self::FiniteCoordinate => "correct the vertex or export the mesh again",
-            Self::Triangle => "--triangulate cuts larger faces into triangles; remove smaller ones",
-            Self::DistinctCorners => "--clean drops degenerate faces",
-            Self::DistinctFaces => "--clean drops triangles that are there twice",
+            Self::Triangle => {
+                "cut larger faces (Mesh::triangulate), drop smaller ones (Mesh::clean)"
+            }
+            Self::DistinctCorners => "drop degenerate faces (Mesh::clean)",
+            Self::DistinctFaces => "drop triangles that are there twice (Mesh::clean)",
             Self::AtMostTwoFaces => {
                 "separate the sheets that meet there, or remove the inner faces"
             }
-            Self::NoBoundary => "close the holes, or use --weld if the gaps are seams",
+            Self::NoBoundary => {
+                "close the holes, join the vertices of seams (Mesh::weld), or leave triangles over \
+                 (Converter::open)"
+            }
             Self::Orientable => "cut the strip or take the double cover of the surface",
-            Self::ConsistentOrientation => "--orient flips faces until they agree",
+            Self::ConsistentOrientation => "flip faces until they agree (Converter::orient)",
             Self::OneFan => "give each fan a vertex of its own",
         }
     }
@@ -116,7 +121,11 @@ impl Law {
 
 named!(Law, "law", name);
 
-/// An element of a mesh; displayed with numbers that count from 1.
+/// An element of a mesh. Displayed numbers count from 1, as in OBJ files; stored ones from 0.
+///
+/// ```
+/// assert_eq!(triquad::Element::Edge(0, 2).to_string(), "edge 1-3");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -145,7 +154,8 @@ impl fmt::Display for Element {
     }
 }
 
-/// A broken law: the first element that breaks it, and how many do.
+/// A broken law: the first element that breaks it, and how many do. Displayed numbers count from 1,
+/// stored ones from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

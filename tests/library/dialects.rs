@@ -286,7 +286,7 @@ fn gzip_files_expand_to_a_limit() {
     assert_same(read(length), &octahedron(), &text);
     let error = read(length - 1).unwrap_err();
     assert!(matches!(error, MeshError::Expanded(limit) if limit == length - 1), "{error}");
-    assert!(error.remedy().contains("--max-expanded"));
+    assert!(error.remedy().contains("Reader::max_expanded"));
     // 300 MB of spaces in 300 kB.
     let mut encoder = GzEncoder::new(Vec::new(), Compression::fast());
     let line = [&[b' '; (1 << 20) - 1][..], b"\n"].concat();

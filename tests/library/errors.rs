@@ -1,5 +1,7 @@
 //! Errors as `main` prints them: by `Debug`, with the file, the law and the remedy.
 
+use std::path::Path;
+
 use triquad::{Converter, Mesh, Triangulation};
 use triquad_generators::grids;
 
@@ -30,4 +32,28 @@ fn an_error_that_main_returns_names_file_law_and_remedy() {
         refused.contains("boundary edge") && refused.contains(" [boundary-edge]; "),
         "{refused}"
     );
+}
+
+/// The library is used without the command: its messages name functions, not options.
+#[test]
+fn no_text_of_the_library_names_an_option_of_the_command() {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+    let mut lines = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap();
+            for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
+                lines += 1;
+                let mut behind = line.split("--").skip(1);
+                let is_option = |rest: &str| rest.starts_with(|c: char| c.is_ascii_lowercase());
+                assert!(!behind.any(is_option), "{}: {line}", path.display());
+            }
+        }
+    }
+    assert!(lines > 1000);
 }

@@ -10,7 +10,7 @@ use triquad::matching::weighted::{Barrier, Certificate, Integers, NONE};
 
 use super::format::FIRST_LINE;
 use crate::failure::Failure;
-use crate::input;
+use crate::{input, shell};
 
 /// Statement of a certificate, and its proof.
 pub struct Stated {
@@ -171,8 +171,9 @@ impl Reader<'_> {
     }
 
     fn failure(&self, problem: &str) -> Failure {
-        let remedy = "write it again with 'triquad convert --certificate'";
         let (path, line) = (self.path.display(), self.line);
+        let word = shell::word(self.path);
+        let remedy = format!("write it again with 'triquad convert IN --certificate {word}'");
         Failure::bad(format!("{path}:{line}: the line {problem}; {remedy}"))
     }
 }

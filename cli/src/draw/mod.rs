@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::formats::reads;
 use crate::input::Reading;
 use crate::progress::StatusLine;
-use crate::{input, stdio};
+use crate::{input, shell, stdio};
 use scene::Scene;
 
 /// Draw a mesh: to a PNG file, or here in the terminal
@@ -147,11 +147,12 @@ impl Arguments {
     }
 
     fn failure(&self, path: &Path, error: &PictureError) -> Failure {
+        let of_mesh = format!("; 'triquad info {}' has more", shell::word(path));
         let remedy = match error {
             PictureError::Size { .. } => "; give a smaller --size, of 1 or more",
             PictureError::Section => "; give a direction that is not 0",
             PictureError::Camera(_) => "; use finite angles and a positive --zoom",
-            PictureError::NotFinite(_) | PictureError::Vertex(_) => "; 'triquad info' has more",
+            PictureError::NotFinite(_) | PictureError::Vertex(_) => &of_mesh,
             _ => "",
         };
         Failure::bad(format!("{}: {error}{remedy}", path.display()))

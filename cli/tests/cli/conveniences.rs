@@ -231,6 +231,10 @@ fn quiet_prints_answers_alone_and_verbose_every_step() {
     for step in ["s: reading the mesh", "s: pairing triangles", "s: writing the quads"] {
         assert!(stderr.lines().any(|line| line.starts_with("triquad: 0.") && line.ends_with(step)));
     }
+    // `best` leaves nothing to augment, others do.
+    assert!(!stderr.contains("augmenting"), "{stderr}");
+    let [_, stderr] = printed(&run(&folder, "convert ring.obj --algorithm sg -v"), 0);
+    assert!(stderr.contains("s: augmenting paths: "), "{stderr}");
     printed(&run(&folder, "convert ring.obj -q -v"), 2);
 }
 

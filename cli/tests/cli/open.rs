@@ -72,7 +72,7 @@ fn what_needs_a_closed_surface_says_so() {
     let line = workshop.fail("irreducible in.obj --open -o out.obj", 2);
     assert_contains(&line, &["in.obj", "closed"], "irreducible");
     let line = workshop.fail("irreducible in.obj -o out.obj", 2);
-    assert_contains(&line, &["boundary-edge", "convert --open"], "irreducible");
+    assert_contains(&line, &["boundary-edge", "'triquad convert in.obj --open'"], "irreducible");
     let line = workshop.fail("simplify in.obj --vertices 9 -o out.obj", 2);
     assert_contains(&line, &["boundary-edge"], "simplify");
 }
@@ -191,4 +191,17 @@ fn the_check_measures_from_the_files_what_the_conversion_has_measured() {
     }
     workshop.fail("check closed.obj --against closed.obj --stats wrong.json", 1);
     assert!(!workshop.path("wrong.json").exists());
+}
+
+#[test]
+fn where_there_are_no_quads_none_are_judged() {
+    let workshop = Workshop::new();
+    workshop.put("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let line = workshop.succeed("convert in.obj --open -o out.obj");
+    assert_contains(&line, &["-> 0 quads and 1 triangle left over"], "summary");
+    assert!(!line.contains("quality") && !line.contains("folded"), "{line}");
+    let table = workshop.succeed("convert in.obj --open --compare");
+    let best = table.lines().find(|line| line.starts_with("best ")).unwrap();
+    let words: Vec<&str> = best.split_whitespace().collect();
+    assert_eq!(words[..6], ["best", "0", "1", "-", "-", "-"], "{table}");
 }

@@ -76,7 +76,22 @@ fn parse(parser: &mut Parser, block: &Block, chunk: usize) -> Result<(), MeshErr
         None => Ok(()),
         Some(fault) => {
             let line = block.line_at(block.text().len() - cursor.rest.len());
-            Err(parser.explain(fault.at(line)))
+            let error = parser.explain(fault.at(line));
+            // Only the last line of a file can have no end.
+            let is_cut = !cursor.rest.contains(&b'\n');
+            Err(if is_cut { end_of_file(error) } else { error })
         }
+    }
+}
+
+/// Adds to an error in the last line that the rest of the file may be missing: OBJ files do not
+/// announce how much is in them.
+fn end_of_file(error: MeshError) -> MeshError {
+    match error {
+        MeshError::Malformed { place, problem } => {
+            let problem = format!("{problem}, where the file ends: it may be cut off");
+            MeshError::Malformed { place, problem }
+        }
+        error => error,
     }
 }

@@ -45,7 +45,7 @@ fn line_ends_of_all_kinds_are_read_and_counted() {
     for (feed, ending) in [("\n", "\r"), ("\n", "\r\n"), ("\n", "\r\r\n"), ("v", "\rv")] {
         let changed = text.replace(feed, ending);
         assert_eq!(read(changed.as_bytes()).unwrap(), expected, "{changed:?}");
-        let fault = format!("{changed}f 1 2 x");
+        let fault = format!("{changed}f 1 2 x\n");
         let line = if feed == "v" { 20 } else { 13 };
         assert_eq!(problem(&fault), format!("line {line}: 'x' is not an index"), "{fault:?}");
     }
@@ -268,5 +268,16 @@ fn no_prefix_of_a_file_makes_the_reader_panic() {
     let text = format!("{POINTS}o x\nf 1/1/1 2/2/1 \\\n3/3/1\nf -1 -2 -3\n");
     for end in 0..text.len() {
         let _ = read(&text.as_bytes()[..end]);
+    }
+}
+
+#[test]
+fn a_fault_in_a_last_line_without_an_end_may_be_that_of_a_file_cut_off() {
+    let hint = ", where the file ends: it may be cut off";
+    for line in ["v 1 2", "v 1 2 3.5e", "v", "f 1 2 -"] {
+        let cut = problem(&format!("{POINTS}{line}"));
+        assert!(cut.starts_with("line 8: ") && cut.ends_with(hint), "{cut}");
+        let whole = problem(&format!("{POINTS}{line}\n"));
+        assert_eq!(format!("{whole}{hint}"), cut);
     }
 }

@@ -1,6 +1,6 @@
 //! Faults that `check` finds.
 
-use super::meshes::{irregular_mesh, with_faces};
+use super::meshes::{TETRAHEDRON, irregular_mesh, with_faces};
 use crate::surfaces::face_list;
 use crate::workshop::{Workshop, assert_contains};
 use triquad::mesh::Mesh;
@@ -76,4 +76,19 @@ fn turned_quads_are_the_same_quads() {
     });
     workshop.put_mesh("turned.obj", &turned);
     workshop.succeed("check turned.obj --against in.obj");
+}
+
+#[test]
+fn a_vertex_that_moved_is_told_from_one_that_was_rounded() {
+    let workshop = Workshop::new();
+    workshop.put("in.obj", TETRAHEDRON);
+    workshop.succeed("convert in.obj -o quads.obj");
+    let quads = String::from_utf8(workshop.get("quads.obj")).unwrap();
+    for (x, remedy) in [("1.00000001", "same in single precision"), ("1.5", "; compare with")] {
+        workshop.put("wrong.obj", quads.replace("v 1.0 0.0 0.0", &format!("v {x} 0 0")));
+        let line = workshop.fail("check wrong.obj --against in.obj", 1);
+        let places = format!("triangle mesh: ({x} 0 0) for (1 0 0); ");
+        assert_contains(&line, &["vertex 2 has other", &places, remedy], x);
+        assert_eq!(line.contains("single precision"), x != "1.5", "{line}");
+    }
 }

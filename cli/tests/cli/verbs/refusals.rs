@@ -317,6 +317,11 @@ fn wrong_usage_ends_with_2() {
         ("info in.obj --xml", "--xml"),
         ("simplify in.obj", "--vertices"),
         ("simplify in.obj --vertices few", "few"),
+        ("simplify in.obj --vertices few", "'triquad simplify --help' explains"),
+        ("check in.obj", "'triquad check --help' explains"),
+        ("generate box --vertices few", "'triquad generate box --help' explains"),
+        ("--threads few info in.obj", "'triquad info --help' explains"),
+        ("juggle in.obj", "'triquad --help' explains"),
     ];
     for (arguments, named) in table {
         let run = workshop.run(arguments);

@@ -1,7 +1,7 @@
 //! What refusals advise: it is not on already, and it works when pasted.
 
 use super::meshes::{CUBE, TETRAHEDRON, tetrahedron_of};
-use crate::workshop::{Workshop, assert_contains};
+use crate::workshop::{Workshop, assert_contains, finish};
 
 /// The tetrahedron as four loose triangles, vertices that belong together `gap` apart at most.
 fn soup(gap: f64) -> String {
@@ -89,12 +89,53 @@ fn no_remedy_is_on_already_and_the_options_that_info_names_work() {
             assert_contains(&run.stderr, &["it cannot be converted as it is"], &what);
             continue;
         };
-        assert_contains(&run.stderr, &[&format!("'triquad convert {way}'")], &what);
+        assert_contains(&run.stderr, &[&format!("'triquad convert in.obj {way}'")], &what);
+        let repairs = |options: &str| options.replace("--open", "").matches("--").count();
+        let more = "but more options are needed";
+        // The remedy may be none of the options.
+        let suffices = !advice.contains("--") || repairs(way) <= repairs(on) + 1;
+        assert!(line.contains(more) != suffices, "{line}");
         workshop.succeed(&format!("convert in.obj {way} -o out.obj"));
         workshop.succeed(&format!("check out.obj --against in.obj {way}"));
         let closed = way.replace("--open", "");
         let code = if closed == way { 0 } else { 2 };
         assert_eq!(workshop.run(&format!("info in.obj {closed}")).code, Some(code), "{what}");
+    }
+}
+
+#[test]
+fn a_remedy_that_does_not_suffice_says_so() {
+    let workshop = Workshop::new();
+    // A degenerate face, and two solids that share a vertex.
+    let bow_tie =
+        format!("{TETRAHEDRON}v 2 0 0\nv 0 2 0\nv 0 0 2\n{}", tetrahedron_of([4, 5, 6, 7]));
+    workshop.put("in.obj", format!("{bow_tie}f 1 1 2\n"));
+    let line = workshop.fail("convert in.obj", 2);
+    let told = ["see 'triquad info in.obj'", "--clean drops", "but no options suffice"];
+    assert_contains(&line, &told, "a bow-tie");
+    assert_contains(&workshop.run("info in.obj").stderr, &["cannot be converted"], "info");
+    workshop.put("in.obj", format!("{CUBE}f 1 1 2\n"));
+    let line = workshop.fail("convert in.obj", 2);
+    assert_contains(&line, &["--triangulate cuts", "but more options are needed"], "a cube");
+    workshop.put("in.obj", CUBE);
+    assert!(!workshop.fail("convert in.obj", 2).contains("but "));
+}
+
+#[test]
+#[cfg(unix)]
+fn commands_in_messages_can_be_pasted() {
+    let workshop = Workshop::new();
+    let open = &TETRAHEDRON[..TETRAHEDRON.len() - 8];
+    for name in ["in.obj", "an open mesh.obj", "it's $HOME.obj"] {
+        workshop.put(name, open);
+        let run = finish(workshop.spawn(&["info", name]));
+        let (_, command) = run.stderr.split_once("with 'triquad ").expect("a command");
+        let command = command.trim_end().strip_suffix('\'').expect("an end of the command");
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", &format!("\"$TRIQUAD\" {command}")]);
+        shell.env("TRIQUAD", env!("CARGO_BIN_EXE_triquad")).current_dir(workshop.path(""));
+        let done = shell.output().unwrap();
+        assert!(done.status.success(), "{command}: {done:?}");
     }
 }
 
