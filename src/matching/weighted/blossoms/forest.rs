@@ -75,23 +75,28 @@ impl<S: Nodes> Trees<S> {
         self.queue.clear();
         self.scan.clear();
         self.touched.clear();
-        let mut tops = Vec::with_capacity(roots.len());
+        let most_events = self.family.nodes.len() as usize;
+        self.forest = Some(Forest { most_events, ..Forest::default() });
         for &root in roots {
-            tops.push(self.root_top(root)?);
+            let top = self.root_top(root)?;
+            // A node that was a root and has been paired may be in the blossom of another root.
+            if self.family.label(top).is_none() {
+                self.begin_tree();
+                self.make_outer(top);
+            }
         }
-        self.forest = Some(Forest {
-            touched: tops.iter().map(|_| Vec::new()).collect(),
-            standing: tops.len(),
-            most_events: self.family.nodes.len() as usize,
-            ..Forest::default()
-        });
-        for (tree, top) in tops.into_iter().enumerate() {
-            self.turn_to(tree as u32);
-            self.make_outer(top);
-        }
-        self.work.blossom_searches += roots.len() as u64;
-        self.work.forest_roots += roots.len() as u64;
+        self.work.blossom_searches += self.standing() as u64;
+        self.work.forest_roots += self.standing() as u64;
         Ok(())
+    }
+
+    /// Makes a tree without nodes the present one.
+    fn begin_tree(&mut self) {
+        let Some(forest) = &mut self.forest else { return };
+        let tree = forest.touched.len() as u32;
+        forest.touched.push(Vec::new());
+        forest.standing += 1;
+        self.turn_to(tree);
     }
 
     /// Grows all trees until none stands.
