@@ -15,7 +15,7 @@ use super::graphs::{Rows, any_graph, cubic_graph, local_graph, surface};
 /// First limits, factors, patience and parts; patience 0 forces the forest.
 pub(super) fn limits() -> impl Strategy<Value = Limits> {
     let first = prop_oneof![Just(1), Just(2), Just(4), Just(16), Just(64), Just(usize::MAX)];
-    let patience = prop_oneof![Just(0), Just(3), Just(u32::MAX)];
+    let patience = prop_oneof![Just(0), Just(1), Just(3), Just(u32::MAX)];
     // Divided as they are; renumbered and divided; renumbered and not divided.
     let border = prop_oneof![Just(1), Just(3), Just(usize::MAX)];
     let parts = (1..40_usize, 1..6_usize, 1..3_usize, 1..8_usize, border);
