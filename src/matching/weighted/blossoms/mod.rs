@@ -17,6 +17,7 @@ mod rounds;
 mod search;
 mod shrink;
 mod split;
+mod together;
 
 pub(super) use finish::Outcome;
 pub(super) use join::Grown;
