@@ -266,9 +266,11 @@ def test_other_threads_go_on_while_a_call_works() -> None:
 @pytest.mark.skipif(sys.platform != "linux", reason="counts threads in /proc")
 def test_ctrl_c_ends_a_long_call_and_its_work() -> None:
     program = f"""
-        import os, sys, time, triquad
+        import os, signal, sys, time, triquad
         sys.path.insert(0, {str(Path(__file__).parent)!r})
         from surfaces import torus
+        # Background jobs of a shell ignore interrupts, and so would this program.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         before = len(os.listdir("/proc/self/task"))
         print("ready", flush=True)
         try:
