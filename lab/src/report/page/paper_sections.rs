@@ -183,7 +183,8 @@ pub fn own_tables(parts: &Parts) -> Vec<TableView> {
 fn own_title(table: &ReportTable) -> &'static str {
     match table.file {
         "table_data.csv" => "Times and unpaired triangles",
-        _ => table.title.split(": what edge flips").next().unwrap_or(table.title),
+        "table_quality.csv" => "Scaled Jacobian of the quads by algorithm",
+        _ => table.title,
     }
 }
 

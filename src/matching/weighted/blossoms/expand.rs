@@ -1,6 +1,7 @@
 //! Expanding: an inner blossom whose value is used up makes way for its kids.
 
 use super::super::nodes::{Label, NONE, Nodes};
+use super::super::number::Number;
 use super::super::refusal::Refusal;
 use super::family::Kid;
 use super::search::Trees;
@@ -98,7 +99,8 @@ impl<S: Nodes> Trees<S> {
         }
     }
 
-    fn await_edges_of(&mut self, kid: u32, label: Label) {
+    /// Queues the edges from outer nodes to those of a top with this label.
+    pub(super) fn await_edges_of(&mut self, kid: u32, label: Label) {
         let (mut node, last) = self.family.ends(kid);
         loop {
             for half_edge in self.family.nodes.sides(node) {
@@ -123,7 +125,9 @@ impl<S: Nodes> Trees<S> {
         }
         if label == Label::Free {
             let slack = family.slack(half_edge, self.clock);
-            self.queue.push(self.clock + slack, half_edge);
+            if slack != S::N::ZERO || !self.has_to_wait(half_edge) {
+                self.queue.push(self.clock + slack, half_edge);
+            }
         } else if let Some(pending) = family.pending.get_mut(family.nodes.set(node) as usize) {
             pending.push(half_edge);
         }

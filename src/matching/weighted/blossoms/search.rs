@@ -224,7 +224,7 @@ impl<S: Nodes> Trees<S> {
     }
 
     /// Puts a tight edge behind those of other trees, if there are any.
-    fn has_to_wait(&mut self, half_edge: u32) -> bool {
+    pub(super) fn has_to_wait(&mut self, half_edge: u32) -> bool {
         self.forest.as_mut().map(|forest| forest.now.push_back(half_edge)).is_some()
     }
 

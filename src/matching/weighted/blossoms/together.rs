@@ -7,7 +7,7 @@
 //! An event stays in the queue when the tree that it came from is felled. So whatever happens is
 //! looked at again when its time has come.
 
-use super::super::nodes::{Label, NONE, Nodes};
+use super::super::nodes::{Label, Nodes};
 use super::super::number::Number;
 use super::super::observer::{Observer, Stage};
 use super::super::queue::Queue;
@@ -192,7 +192,7 @@ impl<S: Nodes> Trees<S> {
             }
         }
         for &top in &tops {
-            self.await_released(top);
+            self.await_edges_of(top, Label::Free);
         }
         self.dissolve_void(touched)?;
         if let Some(forest) = &mut self.forest {
@@ -218,31 +218,6 @@ impl<S: Nodes> Trees<S> {
         let most = 2 * self.queue.len();
         if let Some(forest) = &mut self.forest {
             forest.most_events = forest.most_events.max(most);
-        }
-    }
-
-    /// Queues the edges from outer nodes to those of a top without label.
-    fn await_released(&mut self, top: u32) {
-        let (mut node, last) = self.family.ends(top);
-        loop {
-            for half_edge in self.family.nodes.sides(node) {
-                let twin = self.family.nodes.twin(half_edge);
-                if twin == NONE {
-                    continue;
-                }
-                let (label, _) = self.family.standing(self.family.nodes.origin(twin), self.clock);
-                if label == Label::Outer {
-                    let slack = self.family.slack(twin, self.clock);
-                    match &mut self.forest {
-                        Some(forest) if slack == S::N::ZERO => forest.now.push_back(twin),
-                        _ => self.queue.push(self.clock + slack, twin),
-                    }
-                }
-            }
-            if node == last {
-                return;
-            }
-            node = self.family.next(node);
         }
     }
 
