@@ -10,11 +10,12 @@
 //! Paths can be long and many, and all pass one bottleneck, as from one end of a regular tube to
 //! the other. The same triangles are then taken and freed again for every path. So once more has
 //! been visited than a few times the mesh, and each path takes much of it, a
-//! [`detour`](super::detour) finds all other paths at once.
+//! [`detour`](super::detour) finds nearly all other paths at once. Where these few lead through a
+//! bottleneck again, another detour finds the rest.
 
 use std::ops::ControlFlow;
 
-use super::detour;
+use super::detour::{self, Goal};
 use super::stats::AugmentationStats;
 use crate::dual::{DualGraph, Matching};
 use crate::matching::{Forest, Place, TreeId};
@@ -36,15 +37,15 @@ const PATIENCE: usize = 4;
 /// Paths found in as many visits as there are triangles, at least: else there is a bottleneck.
 const FEWEST_PATHS: usize = 8;
 
-/// Number of visits, in sizes of the mesh, that the paths left may take, judged by the last ones. A
-/// detour costs as much as thirty visits of each triangle or so, and far more memory.
+/// Number of visits, in sizes of the mesh, that the paths left may take, judged by the last ones.
+/// The second detour costs as much as thirty visits of each triangle or so, and far more memory.
 const HOPE: usize = 25;
 
 /// Augments until no path is left.
 ///
-/// Where a bottleneck is met from the first path on, at most 7 n visits: one tree may pass the
-/// limit by n, and its path and a detour add n each. In general O(n log k), as n more visits are
-/// made only if the n before have found a share of the paths.
+/// Where a bottleneck is met from the first path on, at most 7 n visits to the end of each detour:
+/// one tree may pass the limit by n, and its path and a detour add n each. In general O(n log k),
+/// as n more visits are made only if the n before have found a share of the paths.
 pub(super) fn augment(
     graph: &DualGraph,
     matching: &mut Matching,
@@ -60,16 +61,32 @@ fn augment_in_stretches(
     matching: &mut Matching,
     on_path: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> AugmentationStats {
-    let (forest, stats) = (Forest::new(graph.len()), AugmentationStats::default());
-    let mut search = Search { graph, forest, stats, stretch, counted_at: 0, counted: 0 };
-    let end = search.run(matching, on_path);
-    let Search { forest, mut stats, .. } = search;
-    stats.triangles_visited = forest.visited();
-    drop(forest);
-    if end == End::Impatient {
-        detour::augment(graph, matching, &mut stats, on_path);
+    let mut stats = AugmentationStats::default();
+    for goal in [Goal::Good, Goal::Maximum] {
+        if search(stretch, graph, matching, &mut stats, on_path) != End::Impatient
+            || detour::augment(goal, graph, matching, &mut stats, on_path).is_break()
+        {
+            break;
+        }
     }
     stats
+}
+
+/// Searches until there is a reason to end, and adds to `stats`.
+fn search(
+    stretch: usize,
+    graph: &DualGraph,
+    matching: &mut Matching,
+    stats: &mut AugmentationStats,
+    on_path: &mut dyn FnMut() -> ControlFlow<()>,
+) -> End {
+    let counted = stats.paths;
+    let forest = Forest::new(graph.len());
+    let mut search = Search { graph, forest, stats, stretch, counted_at: 0, counted };
+    let end = search.run(matching, on_path);
+    let visited = search.forest.visited();
+    stats.triangles_visited += visited;
+    end
 }
 
 /// The reason why a search has ended.
@@ -86,7 +103,7 @@ enum End {
 struct Search<'g> {
     graph: &'g DualGraph,
     forest: Forest,
-    stats: AugmentationStats,
+    stats: &'g mut AugmentationStats,
     /// Visits after each of which paths are counted.
     stretch: usize,
     /// Visits when paths were last counted.

@@ -2,7 +2,7 @@
 //!
 //! All kinds of augmentation search with the alternating trees of [`matching`](crate::matching).
 //! They differ in where trees start and in what is cleared after a path. Where `local` gives its
-//! search up, it takes a maximum matching from [`pairing`](crate::pairing) or from the weighted
+//! search up, it takes another matching from [`pairing`](crate::pairing) or from the weighted
 //! solver.
 //!
 //! [`make_maximum`] has an example. Names and means have no examples of their own.
@@ -72,9 +72,9 @@ named!(Augmentation, "augmentation", id);
 /// O(k n α) time for k unpaired triangles; 24 bytes a triangle, with `rebuild` about 60 more.
 /// `local` usually visits little more than their neighbourhoods, and takes memory only there.
 ///
-/// After 4 n visits, if paths lead through a bottleneck, `local` takes the others from a maximum
-/// matching found from nothing: GW's, O(n log n), if the surface is closed. That is 90 bytes a
-/// triangle.
+/// After 4 n visits, if paths lead through a bottleneck, `local` takes the others from a matching
+/// found from nothing: TQ's, O(n). If it has to give up once more it takes a maximum one: GW's,
+/// O(n log n) and 90 bytes a triangle, if the surface is closed.
 ///
 /// # Panics
 /// If `matching` is not one of `graph`: in debug builds always, in others if the sizes differ.
