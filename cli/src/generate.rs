@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use triquad::clock::{Clock, SystemClock};
+use triquad::counted::counted;
 use triquad::mesh::Output;
 use triquad::simplify::Shape;
 use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
@@ -205,11 +206,11 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
     written.map_err(|error| input::mesh_failure(path, &error))?;
     drop(status);
     let line = format!(
-        "{}: {} vertices, {} triangles, genus {genus}; largest degree {}, angles {:.1} to {:.1} \
-         degrees; {origin}, written in {write_seconds:.3} s",
+        "{}: {}, {}, genus {genus}; largest degree {}, angles {:.1} to {:.1} degrees; {origin}, \
+         written in {write_seconds:.3} s",
         path.display(),
-        mesh.positions().len(),
-        mesh.faces().len(),
+        counted(mesh.positions().len(), "vertex", "vertices"),
+        counted(mesh.faces().len(), "triangle", "triangles"),
         shape.largest_degree,
         shape.smallest_angle(),
         shape.largest_angle(),

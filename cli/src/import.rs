@@ -3,8 +3,8 @@
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use triquad::counted::counted;
 use triquad::mesh::refuse_endless;
-use triquad_lab::counted::counted;
 use triquad_lab::experiment::Task;
 use triquad_lab::experiment::import::{self, ImportSettings, Imported};
 use triquad_lab::experiment::journal::Journal;

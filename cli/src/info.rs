@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use triquad::counted::counted;
 use triquad::{Law, Mesh, Survey, Triangulation, Violation};
 
 use crate::failure::Failure;
@@ -85,8 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     stdio::say(&text)?;
     let laws = match info.violations.len() {
         0 => return Ok(()),
-        1 => "a law".into(),
-        laws => format!("{laws} laws"),
+        laws => counted(laws, "law", "laws"),
     };
     let way = match &info.convert_options {
         Some(options) => {
@@ -220,13 +220,13 @@ fn kinds_of_faces(info: &Info) -> String {
     let others = info.faces - info.triangles - info.quads;
     let mut kinds = Vec::new();
     if info.triangles > 0 || info.quads + others == 0 {
-        kinds.push(format!("{} triangles", info.triangles));
+        kinds.push(counted(info.triangles, "triangle", "triangles"));
     }
     if info.quads > 0 {
-        kinds.push(format!("{} quads", info.quads));
+        kinds.push(counted(info.quads, "quad", "quads"));
     }
     if others > 0 {
-        kinds.push(format!("{others} others"));
+        kinds.push(counted(others, "other", "others"));
     }
     kinds.join(", ")
 }

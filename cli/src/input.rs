@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use triquad::counted::counted;
 use triquad::mesh::{Attributes, Format, MeshError, Reader, refuse_endless};
 use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
@@ -201,10 +202,9 @@ pub fn refusal(
     let first = survey.violations[0];
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
-        1 => format!(" (and 1 other law is broken, see 'triquad info {}')", shell::word(path)),
         more => {
-            let word = shell::word(path);
-            format!(" (and {more} other laws are broken, see 'triquad info {word}')")
+            let (word, more) = (shell::word(path), counted(more, "other law is", "other laws are"));
+            format!(" (and {more} broken, see 'triquad info {word}')")
         }
     };
     // Readers of OBJ files expect numbers that count from 1.

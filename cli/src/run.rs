@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
-use triquad_lab::counted::counted;
+use triquad::counted::counted;
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine::{self, Build};
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};

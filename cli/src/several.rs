@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use triquad::counted::counted;
 use triquad::mesh::Format;
 
 use crate::failure::Failure;
@@ -52,7 +53,9 @@ impl Several {
             }
         }
         let Some(&code) = codes.iter().max() else { return Ok(()) };
-        let message = format!("{} of {} meshes were not converted", codes.len(), inputs.len());
+        let inputs = counted(inputs.len(), "mesh", "meshes");
+        let were = if codes.len() == 1 { "was" } else { "were" };
+        let message = format!("{} of {inputs} {were} not converted", codes.len());
         Err(Failure::with_code(code, message))
     }
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
+use triquad::counted::counted;
 use triquad::mesh::{MeshError, Place};
 use triquad::{CheckError, ConvertError, Element, Law, Survey, Violation};
 
@@ -103,8 +104,10 @@ impl Failure {
         let first = survey.violations[0];
         let others = match survey.violations.len() - 1 {
             0 => String::new(),
-            1 => " (1 other law is broken, see triquad.survey)".into(),
-            more => format!(" ({more} other laws are broken, see triquad.survey)"),
+            more => {
+                let more = counted(more, "other law is", "other laws are");
+                format!(" ({more} broken, see triquad.survey)")
+            }
         };
         let argument = if first.law == Law::FiniteCoordinate { "vertices" } else { "triangles" };
         let remedy = remedy(first.law).to_owned() + other_remedy;

@@ -197,7 +197,7 @@ fn obj_files_that_may_be_cut_off_get_a_hint() {
         let kind = match (of("f ").count(), of("v ").count() - used.len()) {
             (0, _) => format!("exported with faces; {HINT}"),
             (_, 0) => "close the holes; --open".into(),
-            (_, 1) => format!("close the holes; a vertex is in no face: {HINT}"),
+            (_, 1) => format!("close the holes; 1 vertex is in no face: {HINT}"),
             (_, idle) => format!("close the holes; {idle} vertices are in no face: {HINT}"),
         };
         workshop.put("in.obj", cut);

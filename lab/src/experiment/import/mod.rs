@@ -7,6 +7,7 @@ mod error;
 
 use csv::StringRecord;
 use serde::Deserialize;
+use triquad::counted::counted;
 
 pub use error::ImportError;
 
@@ -17,7 +18,6 @@ use super::record::{Outcome, RunRecord};
 use super::results::{Planned, column_names};
 use super::run_id::{MeshId, RunId};
 use super::task::Task;
-use crate::counted::counted;
 use crate::meshes::paper::{self, PaperMesh, Scale};
 use crate::meshes::{MeshKind, Recipe};
 use crate::nearest::{likely, slip_of};
