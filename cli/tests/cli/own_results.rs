@@ -267,6 +267,31 @@ fn two_columns_of_somebody_else_reach_the_tables() {
 
 #[test]
 fn tables_are_compared_with_a_baseline_number_by_number() {
+#[test]
+fn a_total_without_one_of_its_parts_is_left_out_and_named() {
+    let shop = Workshop::new();
+    let import = |name: &str, rows: &str| {
+        std::fs::write(shop.path("rows.csv"), rows).unwrap();
+        let output = shop.run(&format!("import rows.csv --algorithm {name} --out {name}"));
+        assert!(output.status.success());
+        let table = text(&shop, &format!("{name}/table_4_3.csv"));
+        let row = table.lines().find(|line| line.starts_with(&format!("botijo,{name},")));
+        (String::from_utf8(output.stderr).unwrap(), row.expect("a row").to_owned())
+    };
+    let (said, row) = import("one", "mesh,pairing_seconds\nbotijo,0.5\n");
+    let expected = "triquad: rows.csv: 1 run has no total, which is pairing_seconds + \
+                    augmentation_seconds: augmentation_seconds is missing; add it, with 0 for a \
+                    stage that does not exist, or give total_seconds\n";
+    assert_eq!(said, expected);
+    assert!(row.contains(",0.50000000,") && row.matches("0.5").count() == 1, "{row}");
+    let rows = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.5,\nbotijo,0.5,\n";
+    let (said, _) = import("two", rows);
+    assert!(said.contains("2 runs have no total") && said.contains("is empty; fill"), "{said}");
+    let rows = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.5,0.25\n";
+    let (said, row) = import("three", rows);
+    assert!(said.is_empty() && row.contains(",0.75000000,"), "{said} {row}");
+}
+
     let shop = Workshop::new();
     let rows = "mesh,unpaired_triangles,total_seconds\nbotijo,10,0.5\nbotijo,20,0.7\n";
     std::fs::write(shop.path("rows.csv"), rows).unwrap();
