@@ -160,7 +160,7 @@ impl Info {
             closed: survey.closed,
             closed_by_welding: (!survey.closed).then_some(welding_distance.is_some()),
             welding_distance,
-            convert_options: refused.options(survey),
+            convert_options: refused.options(survey).map(|way| way.to_string()),
             violations: survey.violations.iter().map(broken).collect(),
             left_out: Vec::new(),
         }
@@ -173,7 +173,7 @@ impl Broken {
             law: violation.law,
             element: violation.element.to_string(),
             count: violation.count,
-            remedy: refused.remedy(violation),
+            remedy: refused.remedy(violation).to_string(),
             message: violation.to_string(),
         }
     }

@@ -40,6 +40,15 @@ pub struct Repairs {
     pub reading: Reading,
 }
 
+impl Repairs {
+    /// Returns the number of repairs that are on.
+    pub fn number(&self) -> usize {
+        let Self { clean, orient, triangulate, reading } = self;
+        let on = [*clean, *orient, *triangulate, reading.weld.is_some()];
+        on.into_iter().filter(|&is_on| is_on).count()
+    }
+}
+
 /// Parses the distance of `--weld`.
 fn distance(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| format!("'{text}' is not a distance"))?;
@@ -215,7 +224,7 @@ pub fn refusal(
     let name = first.law.name();
     let mut remedy = match mesh {
         Some(mesh) => remedies::Refused::new(mesh, path, repairs).full_remedy(survey),
-        None => remedies::general(first.law, repairs).into(),
+        None => remedies::general(first.law, repairs).to_string(),
     };
     if let Some(other) = other_remedy {
         remedy = format!("{remedy}; {other}");
