@@ -232,9 +232,31 @@ fn failure(
             "; --open allows triangles that are left over".into()
         }
         (CheckError::Moved(v), _) => displacement(*v, quads, triangles),
+        (CheckError::EdgeTwice(a, b) | CheckError::EdgeOpen(a, b), _) => {
+            faces_where(quads, |from, to| [from, to] == [*a, *b] || [to, from] == [*a, *b])
+        }
+        (CheckError::Fans(v), _) => faces_where(quads, |from, _| from as usize == *v),
         _ => String::new(),
     };
     Failure::no(format!("{}: {mismatch}{remedy}", arguments.quads.display()))
+}
+
+/// Names the faces with a side, from one corner to the next, that fits.
+fn faces_where(mesh: &Mesh, fits: impl Fn(u32, u32) -> bool) -> String {
+    /// Of more faces only the number is named.
+    const SHOWN: usize = 8;
+    let has_side = |face: &[u32]| {
+        let next = face.iter().cycle().skip(1);
+        face.iter().zip(next).any(|(&from, &to)| fits(from, to))
+    };
+    let faces = mesh.faces().iter().enumerate().filter(|(_, face)| has_side(face));
+    let mut names: Vec<String> = faces.map(|(face, _)| (face + 1).to_string()).collect();
+    if names.len() > SHOWN {
+        let more = names.split_off(SHOWN).len();
+        names.push(format!("{more} more"));
+    }
+    let word = if names.len() == 1 { "face" } else { "faces" };
+    if names.is_empty() { String::new() } else { format!(" ({word} {})", listed(&names)) }
 }
 
 /// Words where vertex `v` is in both meshes, and what may have moved it.

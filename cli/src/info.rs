@@ -61,6 +61,8 @@ struct Broken {
     law: Law,
     element: String,
     count: usize,
+    /// Faces there, counted from 1 as elements are.
+    faces: Vec<usize>,
     remedy: String,
     #[serde(skip)]
     message: String,
@@ -173,6 +175,7 @@ impl Broken {
             law: violation.law,
             element: violation.element.to_string(),
             count: violation.count,
+            faces: violation.faces.iter().map(|face| face + 1).collect(),
             remedy: refused.remedy(violation).to_string(),
             message: violation.to_string(),
         }

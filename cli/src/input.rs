@@ -208,7 +208,7 @@ pub fn refusal(
     repairs: Repairs,
     other_remedy: Option<&str>,
 ) -> Failure {
-    let first = survey.violations[0];
+    let first = &survey.violations[0];
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
         more => {
