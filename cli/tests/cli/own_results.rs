@@ -132,6 +132,8 @@ fn an_estimate_is_without_external_programs_and_says_so_once() {
     let theirs = plan(&text.replace("\"ps\", \"theirs\"", "\"theirs\""));
     let line = theirs.lines().find(|line| line.contains("botijo")).unwrap();
     assert!(line.ends_with(" –  2 x theirs external"), "{line}");
+    let said = String::from_utf8(shop.run("plan mine.toml --scale demo").stderr).unwrap();
+    assert!(said.contains("mine.toml: line ") && said.contains("programs alone"), "{said}");
     let said = shop.succeed("run mine.toml --scale demo --out out");
     assert!(said.contains("4 runs to do, about 0 s; no estimate for external programs"), "{said}");
     assert!(said.contains("about 0 s and 2 runs of external programs left"), "{said}");
@@ -266,8 +268,6 @@ fn two_columns_of_somebody_else_reach_the_tables() {
 }
 
 #[test]
-fn tables_are_compared_with_a_baseline_number_by_number() {
-#[test]
 fn a_total_without_one_of_its_parts_is_left_out_and_named() {
     let shop = Workshop::new();
     let import = |name: &str, rows: &str| {
@@ -292,6 +292,8 @@ fn a_total_without_one_of_its_parts_is_left_out_and_named() {
     assert!(said.is_empty() && row.contains(",0.75000000,"), "{said} {row}");
 }
 
+#[test]
+fn tables_are_compared_with_a_baseline_number_by_number() {
     let shop = Workshop::new();
     let rows = "mesh,unpaired_triangles,total_seconds\nbotijo,10,0.5\nbotijo,20,0.7\n";
     std::fs::write(shop.path("rows.csv"), rows).unwrap();
