@@ -66,7 +66,7 @@ struct BoxArguments {
 ///
 /// With the default options it is A1, with --holes 3500 it is B1. The box is 2 M + 1 by 2 M + 3 by
 /// D + 2 cells; horizontal cells are cut in four, the others in two. A hole in place of a cavity
-/// costs 2 vertices and 8 triangles.
+/// adds 2 vertices and 8 triangles.
 #[derive(Args)]
 #[command(
     after_help = "Example: triquad generate paper-box --shafts 20 --depth 40 --holes 30 -o box.obj"

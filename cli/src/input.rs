@@ -32,7 +32,7 @@ pub struct Repairs {
     /// Flip faces until neighbours agree on orientation
     #[arg(long)]
     pub orient: bool,
-    /// Cut faces of four or more corners into triangles first, the best-shaped ones that make no
+    /// First cut faces of four or more corners into triangles, the best-shaped ones that make no
     /// edge twice
     #[arg(long)]
     pub triangulate: bool,

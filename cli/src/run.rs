@@ -24,7 +24,7 @@ use crate::{bad_runs, generate, input, interrupt, own_program, report, results_f
 
 /// Run experiments: each run is a process, and a row of runs.csv
 ///
-/// A row is on the disk before the next run begins. May be interrupted at any time: started again,
+/// A row is on the disk before the next run begins. Interrupt it at any time: started again,
 /// it does the runs without a row, and those that failed before they began. Tables are written
 /// after every block, at most every five seconds, the page every minute and at the end.
 ///

@@ -12,7 +12,7 @@ use crate::{input, stdio};
 /// Options of a verb that takes several inputs.
 #[derive(clap::Args, Clone)]
 pub struct Several {
-    /// More meshes; each is converted by itself, and the others are when one is refused
+    /// More meshes, each converted by itself; a refused one does not stop the others
     #[arg(value_name = "IN", requires = "out_dir")]
     more: Vec<PathBuf>,
     /// Write each result into FOLDER, which is made if it is not there, under the name of its input
