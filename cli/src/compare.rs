@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use triquad::counted::counted;
 use triquad_lab::experiment::Results;
 use triquad_lab::report::baseline::{self, BaselineTable};
 use triquad_lab::report::{self as lab_report, Judged, Summary, Verdict, compare};
@@ -96,9 +97,10 @@ fn print_baseline(folder: &Path, summary: &Summary, with: &Path) -> Result<(), F
     }
     let numbers: usize = tables.iter().map(|table| table.rows.len()).sum();
     stdio::say(&format!(
-        "{}: {numbers} numbers of {} tables, ours divided by those of {}",
+        "{}: {} of {}, ours divided by those of {}",
         written.display(),
-        tables.len(),
+        counted(numbers, "number", "numbers"),
+        counted(tables.len(), "table", "tables"),
         with.display()
     ))
 }

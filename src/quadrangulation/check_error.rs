@@ -1,5 +1,7 @@
 //! What may be wrong with a quad mesh.
 
+use crate::counted::counted;
+
 /// The first defect found of a quad mesh. Displayed numbers count from 1, stored ones from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[cfg_attr(
@@ -13,7 +15,7 @@ pub enum CheckError {
     #[error("face {} of the triangle mesh is no triangle of existing vertices", .0 + 1)]
     BadTriangle(usize),
     /// The numbers of vertices differ.
-    #[error("the quad mesh has {quads} vertices, the triangle mesh {triangles}")]
+    #[error("the quad mesh has {}, the triangle mesh {triangles}", vertices(*.quads))]
     VertexCount {
         /// Vertices of the quad mesh.
         quads: usize,
@@ -21,7 +23,7 @@ pub enum CheckError {
         triangles: usize,
     },
     /// The triangulation has not as many vertices as the mesh whose surface it should triangulate.
-    #[error("the triangulation has {paired} vertices, the triangle mesh {given}")]
+    #[error("the triangulation has {}, the triangle mesh {given}", vertices(*.paired))]
     TriangulationVertexCount {
         /// Vertices of the triangulation whose triangles were paired.
         paired: usize,
@@ -81,4 +83,8 @@ pub enum CheckError {
         /// That of the triangle mesh.
         triangles: i64,
     },
+}
+
+fn vertices(count: usize) -> String {
+    counted(count, "vertex", "vertices")
 }
