@@ -54,9 +54,8 @@ impl<S: Nodes> Trees<S> {
         let tops = (0..self.family.blossoms.len() as u32).map(|place| nodes + place);
         let outermost: Vec<u32> = tops.filter(|&top| self.family.is_outermost(top)).collect();
         let mut places = self.line_up(&outermost);
-        let has_value = |blossom: &&Blossom<S::N>| {
-            !blossom.kids.is_empty() && blossom.value != S::N::ZERO
-        };
+        let has_value =
+            |blossom: &&Blossom<S::N>| !blossom.kids.is_empty() && blossom.value != S::N::ZERO;
         let count = self.family.blossoms.iter().filter(has_value).count();
         let mut parents = vec![NO_NODE; count];
         let mut values = vec![S::N::ZERO; count];
@@ -88,7 +87,7 @@ impl<S: Nodes> Trees<S> {
     /// Numbers the nodes in blossoms so that those of each blossom follow one another, and makes
     /// their potentials final. Nodes in none have [`NO_NODE`].
     fn line_up(&mut self, outermost: &[u32]) -> Vec<u32> {
-        let mut places = vec![NO_NODE; self.family.nodes.len() as usize];
+        let mut places = collect(self.family.nodes.len() as usize, |_| NO_NODE);
         let mut next = 0;
         for &top in outermost {
             let offset = self.family.sets[self.family.blossom(top).set as usize].offset;
