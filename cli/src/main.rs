@@ -164,6 +164,8 @@ fn tool() -> ExitCode {
     }
     #[cfg(unix)]
     outlive_full_files();
+    #[cfg(target_os = "linux")]
+    out_of_memory::include_threads();
     interrupt::settle();
     let arguments = names::with_weld_values(std::env::args_os());
     let result = match Arguments::try_parse_from(arguments) {
