@@ -245,7 +245,7 @@ fn dots_in_an_expected_output_stand_for_anything_within_a_line_or_for_lines() {
 }
 
 /// Returns the words of `text` that begin with two dashes.
-fn long_options(text: &str) -> BTreeSet<String> {
+pub fn long_options(text: &str) -> BTreeSet<String> {
     let is_part = |c: char| c.is_ascii_lowercase() || c == '-';
     let option = |rest: &str| rest.split(|c| !is_part(c)).next().unwrap_or_default().to_owned();
     let found = text.match_indices("--").map(|(at, _)| option(&text[at..]));
@@ -253,14 +253,14 @@ fn long_options(text: &str) -> BTreeSet<String> {
 }
 
 /// Returns the help of the program, or of a verb of it.
-fn help(verbs: &[&str]) -> String {
+pub fn help(verbs: &[&str]) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_triquad"));
     let output = command.args(verbs).arg("--help").output().unwrap();
     String::from_utf8(output.stdout).unwrap()
 }
 
 /// Returns the verbs that a help text lists.
-fn verbs(help: &str) -> Vec<String> {
+pub fn verbs(help: &str) -> Vec<String> {
     let list = help.split("Commands:\n").nth(1).unwrap_or_default();
     let list = list.split("\n\n").next().unwrap_or_default();
     let lines = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
