@@ -30,6 +30,7 @@ pub const CONSTANTS: &[Constant] = &[
     constant("README.md", "114", "docs/reproduction.md", "| reproduced | 114 |"),
     constant("README.md", "2.0", "Cargo.toml", "MIT OR Apache-2.0"),
     constant("docs/cli.md", "130", "lab/src/experiment/process.rs", "INTERRUPTED: i32 = 130"),
+    constant("docs/convert.md", "0.35", "cli/src/aims.rs", "default_missing_value = \"0.35\""),
     constant("docs/convert.md", "65,536", "src/quadrangulation/cost.rs", "65536.0"),
     constant("docs/convert.md", "10,000", "src/quadrangulation/cost.rs", "10_000"),
     constant("docs/formats.md", "16", "src/mesh/obj", "1 << 24"),
