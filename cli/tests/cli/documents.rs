@@ -341,7 +341,8 @@ fn ids_of_algorithms_begin_with_a_letter_and_have_letters_digits_and_hyphens() {
 fn lists_of_what_open_works_with_are_those_of_the_algorithms() {
     let (open, closed): (Vec<_>, Vec<_>) =
         Algorithm::ALL.into_iter().partition(|algorithm| algorithm.works_on_open());
-    let [open, closed] = [open, closed].map(|list| list.into_iter().map(Algorithm::id).collect());
+    let ids = |list: Vec<Algorithm>| list.into_iter().map(Algorithm::id).collect();
+    let [open, closed]: [BTreeSet<&str>; 2] = [open, closed].map(ids);
     let file = |name: &str| std::fs::read_to_string(root().join(name)).unwrap();
     // Each list, and what stands before it and behind it.
     let lists = [

@@ -54,9 +54,8 @@ impl<S: Nodes> Trees<S> {
         let tops = (0..self.family.blossoms.len() as u32).map(|place| nodes + place);
         let outermost: Vec<u32> = tops.filter(|&top| self.family.is_outermost(top)).collect();
         let mut places = self.line_up(&outermost);
-        let has_value = |blossom: &&Blossom<S::N>| {
-            !blossom.kids.is_empty() && blossom.value != S::N::ZERO
-        };
+        let has_value =
+            |blossom: &&Blossom<S::N>| !blossom.kids.is_empty() && blossom.value != S::N::ZERO;
         let count = self.family.blossoms.iter().filter(has_value).count();
         let mut parents = vec![NO_NODE; count];
         let mut values = vec![S::N::ZERO; count];
