@@ -47,7 +47,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// The costs, one integer an edge, if the certificate is about a file of costs
-    #[arg(long, value_name = "FILE", requires = "certificate")]
+    #[arg(long, value_name = "FILE")]
     cost: Option<PathBuf>,
     /// Write counts and the shape of the quads as JSON to FILE, '-' for standard output
     #[arg(long, value_name = "FILE")]
@@ -84,6 +84,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if inputs.into_iter().flatten().filter(|path| path.as_os_str() == "-").count() > 1 {
         let problem = "standard input can be one of the meshes only; give the others as files";
         return Err(Failure::bad(format!("-: {problem}")));
+    }
+    if let (Some(costs), None) = (&arguments.cost, &arguments.certificate) {
+        let remedy = "give --certificate FILE, too, or leave it out";
+        let costs = costs.display();
+        return Err(Failure::bad(format!("--cost {costs}: belongs to a certificate; {remedy}")));
     }
     let status = StatusLine::new("reading the meshes");
     let paths = Paths { stats: arguments.stats.as_deref(), ..Paths::of(&arguments.quads) };

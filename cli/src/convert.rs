@@ -71,14 +71,6 @@ pub struct Arguments {
     repairs: Repairs,
     #[arg(long, help = open_surfaces())]
     open: bool,
-    #[command(flatten)]
-    aims: AimOptions,
-    /// Write the proof that the pairing is the best, for check --certificate. For best
-    #[arg(long, value_name = "FILE")]
-    certificate: Option<PathBuf>,
-    /// Write the edges to keep that were given up: two vertex numbers a line
-    #[arg(long, value_name = "FILE")]
-    given_up: Option<PathBuf>,
     /// Print a table of all algorithms with the quality and the time of each; write no mesh
     #[arg(long, conflicts_with_all = [
         "output", "stats", "write_triangulation", "certificate", "given_up", "stop_after_paths",
@@ -87,6 +79,15 @@ pub struct Arguments {
     compare: bool,
     #[command(flatten)]
     several: Several,
+    // Last: the options after it stand under its heading.
+    #[command(flatten)]
+    aims: AimOptions,
+    /// Write the proof that the pairing is the best, for check --certificate. For best
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+    /// Write the edges to keep that were given up: two vertex numbers a line
+    #[arg(long, value_name = "FILE")]
+    given_up: Option<PathBuf>,
 }
 
 /// Help of `--algorithm`.
@@ -123,6 +124,20 @@ impl Arguments {
             .orient(self.repairs.orient)
             .open(self.open)
             .progress(progress)
+    }
+
+    /// Returns the first given option that takes one mesh only.
+    fn alone(&self) -> Option<&'static str> {
+        let options = [
+            ("-o", self.output.is_some()),
+            ("--stats", self.stats.is_some()),
+            ("--write-triangulation", self.write_triangulation.is_some()),
+            ("--stop-after-paths", self.stop_after_paths.is_some()),
+            ("--certificate", self.certificate.is_some()),
+            ("--given-up", self.given_up.is_some()),
+            ("--compare", self.compare),
+        ];
+        options.into_iter().find(|&(_, is_given)| is_given).map(|(option, _)| option)
     }
 
     /// Refuses options that mean nothing together.
@@ -163,7 +178,7 @@ struct Stats<'a> {
 /// Converts one mesh, or several.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { input, output, several, .. } = arguments;
-    several.each(input, output.as_deref(), |input, output| {
+    several.each(input, output.as_deref(), arguments.alone(), |input, output| {
         let (input, output) = (input.to_owned(), output.map(Path::to_owned));
         convert(&Arguments { input, output, ..arguments.clone() })
     })
