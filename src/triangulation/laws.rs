@@ -166,15 +166,20 @@ pub struct Violation {
     pub element: Element,
     /// Number of elements that break it.
     pub count: usize,
+    /// The vertex (from 0) that the first face names and that does not exist, and the number of
+    /// vertices that do.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub absent_vertex: Option<(u32, usize)>,
 }
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}", self.element, self.law.complaint())?;
-        if self.count > 1 {
-            write!(f, " (first of {})", self.count)?;
-        }
-        Ok(())
+        let absent = self.absent_vertex;
+        let absent = absent.map(|(v, all)| format!("vertex {} of {all}", u64::from(v) + 1));
+        let first_of = (self.count > 1).then(|| format!("first of {}", self.count));
+        let notes: Vec<String> = absent.into_iter().chain(first_of).collect();
+        if notes.is_empty() { Ok(()) } else { write!(f, " ({})", notes.join("; ")) }
     }
 }
 
@@ -196,7 +201,7 @@ mod tests {
     #[test]
     fn violations_are_plain_json() {
         let element = Element::Edge(3, 4);
-        let violation = Violation { law: Law::NoBoundary, element, count: 2 };
+        let violation = Violation { law: Law::NoBoundary, element, count: 2, absent_vertex: None };
         let json = r#"{"law":"boundary-edge","element":{"edge":[3,4]},"count":2}"#;
         assert_eq!(serde_json::to_string(&violation).unwrap(), json);
         assert_eq!(serde_json::from_str::<Violation>(json).unwrap(), violation);

@@ -69,8 +69,12 @@ impl Survey {
             // 32-bit counters are too small for such a mesh, so the counts are those of an empty
             // one.
             let mut survey = Self::new(&Mesh::default());
-            survey.violations =
-                vec![Violation { law: Law::NotTooLarge, element: Element::Mesh, count: 1 }];
+            survey.violations = vec![Violation {
+                law: Law::NotTooLarge,
+                element: Element::Mesh,
+                count: 1,
+                absent_vertex: None,
+            }];
             return survey;
         }
         let sound = sound_faces(list, &mut violations);
@@ -101,7 +105,7 @@ impl Survey {
             handles: genera.map(|genera| genera.handles),
             cross_caps: genera.map(|genera| genera.cross_caps),
             closed: edge_count > 0 && edges.groups().all(|group| group.len() == 2),
-            violations: violations.into_sorted(),
+            violations: with_absent_vertex(violations.into_sorted(), list),
             faces_to_flip: sides.faces_to_flip,
         }
     }
@@ -169,6 +173,16 @@ fn sound_faces(list: &Mesh, violations: &mut Violations) -> Vec<bool> {
         in_range && distinct && corners.len() >= 3
     };
     list.faces().iter().enumerate().map(check_face).collect()
+}
+
+/// Adds the vertex that the first face out of range names.
+fn with_absent_vertex(mut violations: Vec<Violation>, list: &Mesh) -> Vec<Violation> {
+    let all = list.positions().len();
+    if let Some(broken) = violations.iter_mut().find(|broken| broken.law == Law::IndexInRange) {
+        let absent = list.faces().corners().iter().find(|&&v| v as usize >= all);
+        broken.absent_vertex = absent.map(|&v| (v, all));
+    }
+    violations
 }
 
 fn all_distinct(corners: &[u32]) -> bool {

@@ -10,7 +10,7 @@ impl Violations {
     pub(super) fn add(&mut self, law: Law, element: Element) {
         match self.0.iter_mut().find(|violation| violation.law == law) {
             Some(violation) => violation.count += 1,
-            None => self.0.push(Violation { law, element, count: 1 }),
+            None => self.0.push(Violation { law, element, count: 1, absent_vertex: None }),
         }
     }
 

@@ -299,6 +299,9 @@ fn arguments_by_heading(help: &str) -> BTreeMap<String, BTreeSet<String>> {
     let mut heading = String::new();
     for line in help.lines() {
         let depth = line.len() - line.trim_start().len();
+        if line.is_empty() {
+            continue;
+        }
         if depth == 0 {
             heading = line.strip_suffix(':').unwrap_or_default().to_owned();
         } else if depth <= 6 && line.trim_start().starts_with(['-', '<', '[']) {
