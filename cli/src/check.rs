@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use triquad::pairing::Proof;
 use triquad::quadrangulation::quality::Quality;
-use triquad::quadrangulation::{MixedFaces, SharpEdges, check_mixed};
+use triquad::quadrangulation::{FaceFault, MixedFaces, SharpEdges, check_mixed};
 use triquad::triangulation::{Surface, Triangulation};
 use triquad::{
     CheckError, CheckReport, DualGraph, Matching, Mesh, check, check_retriangulation, common_edges,
 };
 
 use crate::failure::Failure;
-use crate::input::{self, Built, Repairs};
+use crate::input::{self, Built, Fate, Repairs};
 use crate::progress::StatusLine;
 use crate::targets::{Paths, Targets};
 use crate::{aims, certificate};
@@ -128,7 +128,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         _ => None,
     };
     drop(status);
-    targets.finish_without_mesh(&stats, &[], &(describe(arguments, &report) + &shared + &proof))
+    targets.finish_without_mesh(
+        &stats,
+        &Fate::default(),
+        &(describe(arguments, &report) + &shared + &proof),
+    )
 }
 
 impl Stats {
@@ -223,16 +227,16 @@ fn failure(
     triangles: &Mesh,
     mismatch: &CheckError,
 ) -> Failure {
-    let is_triangle = |face: usize| quads.faces().get(face).is_some_and(|face| face.len() == 3);
     let remedy = match (mismatch, surface) {
         // On other vertices, QUADS was not made from TRIANGLES, and --open not meant.
         (CheckError::VertexCount { .. } | CheckError::Moved(_), Built::Open(_, survey))
             if !arguments.open =>
         {
             let remedy = Some("--open allows it");
-            return input::refusal(&arguments.against, None, survey, arguments.repairs, remedy);
+            let Arguments { against, repairs, .. } = arguments;
+            return input::refusal(against, Some(triangles), survey, *repairs, remedy);
         }
-        (CheckError::NotAQuad(face), _) if is_triangle(*face) => {
+        (CheckError::NotAQuad(_, FaceFault::Corners(3)), _) => {
             "; --open allows triangles that are left over".into()
         }
         (CheckError::Moved(v), _) => displacement(*v, quads, triangles),

@@ -11,7 +11,7 @@ use triquad::{Algorithm, Augmentation, ConvertError, Converter, Expansion, Mesh,
 use crate::aims::{AimOptions, ReadAims};
 use crate::failure::Failure;
 use crate::formats::{may_write, reads};
-use crate::input::{self, Repairs};
+use crate::input::{self, Fate, Repairs};
 use crate::names::one_of;
 use crate::progress::StatusLine;
 use crate::several::Several;
@@ -226,7 +226,7 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         Err(ConvertError::Stopped(report)) => {
             drop(status);
             let stats = stats(&report, 0.0, &[]);
-            return targets.finish_without_mesh(&stats, &[], &report.to_string());
+            return targets.finish_without_mesh(&stats, &Fate::default(), &report.to_string());
         }
         Err(error) => {
             return Err(conversion_failure(arguments, &aims, &error, None));
@@ -240,9 +240,9 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     }
     targets.write_given_up(quads.given_up())?;
     let report = quads.report().clone();
-    let (mut left_out, mut losses) = (quads.mesh().left_out().to_vec(), quads.losses().notes());
+    let (mut fate, mut losses) = (Fate::of(quads.mesh()), quads.losses().notes());
     if targets.drops_attributes() {
-        left_out = input::left_out_of_faces(quads.mesh());
+        fate = Fate::of_faces(quads.mesh());
         losses.clear();
     }
     if arguments.write_triangulation.is_some() {
@@ -250,13 +250,13 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         targets.write_triangles(&quads.into_triangle_mesh())?;
     }
     drop(status);
-    let all_left_out = [&left_out[..], &losses].concat();
+    let all_left_out = [fate.all(), losses.clone()].concat();
     let stats = stats(&report, write_seconds, &all_left_out);
     let mut summary = report.to_string();
     if !losses.is_empty() {
         summary = format!("{summary}; lost: {}", losses.join(", "));
     }
-    targets.finish(&stats, &left_out, &summary)
+    targets.finish(&stats, &fate, &summary)
 }
 
 /// Converts by every algorithm and prints a table.

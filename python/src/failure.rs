@@ -228,9 +228,9 @@ fn place(mismatch: CheckError) -> (&'static str, PythonElement) {
     let vertex = |vertex: usize| ("vertex", vec![vertex as u64]);
     let edge = |a: u32, b: u32| ("edge", vec![a.into(), b.into()]);
     match mismatch {
-        E::BadTriangle(triangle) => ("bad-triangle", face(triangle)),
-        E::NotAQuad(quad) => ("not-a-quad", face(quad)),
-        E::NotATriangleOrQuad(quad) => ("not-a-triangle-or-quad", face(quad)),
+        E::BadTriangle(triangle, _) => ("bad-triangle", face(triangle)),
+        E::NotAQuad(quad, _) => ("not-a-quad", face(quad)),
+        E::NotATriangleOrQuad(quad, _) => ("not-a-triangle-or-quad", face(quad)),
         E::NotATriangle(left) => ("not-a-triangle", face(left)),
         E::Turned(quad) => ("turned", face(quad)),
         E::RepeatedCorner(quad) => ("repeated-corner", face(quad)),
