@@ -117,7 +117,7 @@ fn a_given_total_is_kept_and_must_be_the_sum_of_its_parts() {
         "line 2, column \"total_seconds\": 1 is not pairing_seconds + augmentation_seconds, \
          which is 10; correct it, or leave the column out: --map \"total_seconds=-\""
     );
-    assert!(total("botijo,0.125,0.25,0.4").is_err());
+    assert!(total("botijo,0.125,0.25,0.40").is_err());
     // Rounded, each to its own digits.
     assert_eq!(total("botijo,0.1249,0.2504,0.38").unwrap(), Some(0.38));
     assert_eq!(total("botijo,1e-3,2.5e-3,3.6e-3").unwrap(), Some(3.6e-3));
