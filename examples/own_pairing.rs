@@ -1,5 +1,5 @@
 //! A pairing algorithm of one's own, completed and checked by the library:
-//! `cargo run --release --example own_pairing`.
+//! `cargo run --release --example own_pairing -- IN.obj OUT.obj`.
 
 use std::error::Error;
 use std::ops::ControlFlow;
@@ -8,7 +8,6 @@ use triquad::triangulation::{HalfEdgeId, Surface as _};
 use triquad::{
     Augmentation, DualGraph, Matching, Mesh, Quadrangulation, Triangulation, check, make_maximum,
 };
-use triquad_generators::grids;
 
 /// Pairs each triangle, in file order, with its unpaired neighbour across the longest edge.
 fn first_come(triangulation: &Triangulation, mesh: &Mesh) -> Matching {
@@ -33,20 +32,24 @@ fn first_come(triangulation: &Triangulation, mesh: &Mesh) -> Matching {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let sphere = grids::sphere(40);
-    let mesh = Mesh::from_triangles(sphere.positions, sphere.triangles);
+    let mut paths = std::env::args_os().skip(1);
+    let (Some(input), Some(output)) = (paths.next(), paths.next()) else {
+        return Err("usage: own_pairing IN OUT".into());
+    };
+    let mesh = Mesh::read(input)?;
     let triangulation = Triangulation::build(&mesh)?;
     let dual = DualGraph::new(&triangulation);
 
     let initial = first_come(&triangulation, &mesh);
     println!("{} of {} triangles are left unpaired", initial.unpaired_count(), dual.len());
     let on_path = &mut || ControlFlow::Continue(());
-    let (matching, paths) = make_maximum(&dual, initial, Augmentation::Local, on_path);
+    let (matching, stats) = make_maximum(&dual, initial, Augmentation::Local, on_path);
     let perfect = matching.certify(&dual).expect("Theorem 2.1: a perfect matching exists");
 
     let quads = Quadrangulation::new(&triangulation, &perfect);
     let quads = mesh.clone().with_faces(quads.to_faces());
     let report = check(&quads, &mesh)?;
-    println!("{} quads after {} augmenting paths", report.quads, paths.paths);
+    quads.write(output)?;
+    println!("{} quads after {} augmenting paths", report.quads, stats.paths);
     Ok(())
 }

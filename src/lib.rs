@@ -68,6 +68,7 @@ pub mod atomic_file;
 pub mod augmentation;
 pub mod clock;
 pub mod convert;
+pub mod counted;
 mod disjoint_sets;
 pub mod dual;
 pub mod dynamic;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use triquad_lab::counted::counted;
+use triquad::counted::counted;
 use triquad_lab::experiment::{Results, RunRecord};
 
 use crate::failure::Failure;

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use triquad::counted::{counted, listed};
 use triquad::pairing::Proof;
 use triquad::quadrangulation::quality::Quality;
 use triquad::quadrangulation::{FaceFault, MixedFaces, SharpEdges, check_mixed};
@@ -105,7 +106,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             let paired = read_paired(path, arguments, &triangles, &surface)?;
             let (common, all) = common_edges(&paired, &triangles);
             let against = arguments.against.display();
-            shared = format!("; {common} of the {all} edges of the triangulation are in {against}");
+            shared = format!("; edges of the triangulation in {against}: {common} of {all}");
             paired
         }
         None => triangles,
@@ -240,9 +241,31 @@ fn failure(
             "; --open allows triangles that are left over".into()
         }
         (CheckError::Moved(v), _) => displacement(*v, quads, triangles),
+        (CheckError::EdgeTwice(a, b) | CheckError::EdgeOpen(a, b), _) => {
+            faces_where(quads, |from, to| [from, to] == [*a, *b] || [to, from] == [*a, *b])
+        }
+        (CheckError::Fans(v), _) => faces_where(quads, |from, _| from as usize == *v),
         _ => String::new(),
     };
     Failure::no(format!("{}: {mismatch}{remedy}", arguments.quads.display()))
+}
+
+/// Names the faces with a side, from one corner to the next, that fits.
+fn faces_where(mesh: &Mesh, fits: impl Fn(u32, u32) -> bool) -> String {
+    /// Of more faces only the number is named.
+    const SHOWN: usize = 8;
+    let has_side = |face: &[u32]| {
+        let next = face.iter().cycle().skip(1);
+        face.iter().zip(next).any(|(&from, &to)| fits(from, to))
+    };
+    let faces = mesh.faces().iter().enumerate().filter(|(_, face)| has_side(face));
+    let mut names: Vec<String> = faces.map(|(face, _)| (face + 1).to_string()).collect();
+    if names.len() > SHOWN {
+        let more = names.split_off(SHOWN).len();
+        names.push(format!("{more} more"));
+    }
+    let word = if names.len() == 1 { "face" } else { "faces" };
+    if names.is_empty() { String::new() } else { format!(" ({word} {})", listed(&names)) }
 }
 
 /// Words where vertex `v` is in both meshes, and what may have moved it.
@@ -264,14 +287,12 @@ fn displacement(v: usize, quads: &Mesh, triangles: &Mesh) -> String {
 fn describe(arguments: &Arguments, report: &CheckReport) -> String {
     let left = match report.triangles {
         0 => String::new(),
-        1 => " and 1 triangle".into(),
-        more => format!(" and {more} triangles"),
+        left => format!(" and {}", counted(left, "triangle", "triangles")),
     };
     format!(
-        "ok: {} quads{left} on the {} vertices of {}, {} of them of degree 2, Euler \
-         characteristic {}",
-        report.quads,
-        report.vertices,
+        "ok: {}{left} on the {} of {}, {} of them of degree 2, Euler characteristic {}",
+        counted(report.quads, "quad", "quads"),
+        counted(report.vertices, "vertex", "vertices"),
         arguments.triangulation.as_ref().unwrap_or(&arguments.against).display(),
         report.degree_two_vertices,
         report.euler_characteristic,
@@ -324,12 +345,18 @@ impl<'a> Statement<'a> {
         let verdict = proof.verify(&dual, matching);
         verdict.map_err(|error| Failure::no(format!("{name}: does not prove it: {error}")))?;
         let fewest = match (aims.price, matching.unpaired_count()) {
-            (None, left) if left > 0 => format!("no pairing leaves fewer than {left} triangles, "),
+            (None, left) if left > 0 => {
+                let left = counted(left, "triangle", "triangles");
+                format!("no pairing leaves fewer than {left}, ")
+            }
             _ => String::new(),
         };
         let given_up = match kept {
             0 => String::new(),
-            all => format!("none gives up fewer than {} of {all} edges, ", proof.given_up.len()),
+            all => {
+                let all = counted(all, "edge", "edges");
+                format!("none gives up fewer than {} of {all}, ", proof.given_up.len())
+            }
         };
         Ok(format!("; proved: {fewest}{given_up}none costs less than {}", proof.cost))
     }

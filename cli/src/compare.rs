@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use triquad::counted::counted;
 use triquad_lab::experiment::Results;
 use triquad_lab::report::baseline::{self, BaselineTable};
 use triquad_lab::report::{self as lab_report, Judged, Summary, Verdict, compare};
@@ -108,9 +109,10 @@ fn print_baseline(folder: &Path, summary: &Summary, with: &Path) -> Result<(), F
         stdio::say(&format!("{folder_name}: {what}: {meshes}"))?;
     }
     stdio::say(&format!(
-        "{}: {numbers} numbers of {} tables, ours divided by those of {with}",
+        "{}: {} of {}, ours divided by those of {with}",
         written.display(),
-        tables.len(),
+        counted(numbers, "number", "numbers"),
+        counted(tables.len(), "table", "tables"),
     ))
 }
 

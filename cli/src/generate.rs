@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use triquad::clock::{Clock, SystemClock};
+use triquad::counted::counted;
 use triquad::mesh::Output;
 use triquad::simplify::{Shape, SimplifyError};
 use triquad_lab::meshes::paper::{PaperMesh, Scale};
@@ -66,7 +67,7 @@ struct BoxArguments {
 ///
 /// With the default options it is A1, with --holes 3500 it is B1. The box is 2 M + 1 by 2 M + 3 by
 /// D + 2 cells; horizontal cells are cut in four, the others in two. A hole in place of a cavity
-/// costs 2 vertices and 8 triangles.
+/// adds 2 vertices and 8 triangles.
 #[derive(Args)]
 #[command(
     after_help = "Example: triquad generate paper-box --shafts 20 --depth 40 --holes 30 -o box.obj"
@@ -217,11 +218,11 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
     written.map_err(|error| input::mesh_failure(path, &error))?;
     drop(status);
     let line = format!(
-        "{}: {} vertices, {} triangles, genus {genus}; largest degree {}, angles {:.1} to {:.1} \
-         degrees; {origin}, written in {write_seconds:.3} s",
+        "{}: {}, {}, genus {genus}; largest degree {}, angles {:.1} to {:.1} degrees; {origin}, \
+         written in {write_seconds:.3} s",
         path.display(),
-        mesh.positions().len(),
-        mesh.faces().len(),
+        counted(mesh.positions().len(), "vertex", "vertices"),
+        counted(mesh.faces().len(), "triangle", "triangles"),
         shape.largest_degree,
         shape.smallest_angle(),
         shape.largest_angle(),

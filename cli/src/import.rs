@@ -4,10 +4,10 @@ use std::collections::HashSet;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use triquad::counted::counted;
 use triquad::mesh::refuse_endless;
-use triquad_lab::counted::counted;
 use triquad_lab::experiment::Task;
-use triquad_lab::experiment::import::{self, ImportSettings, Imported};
+use triquad_lab::experiment::import::{self, ImportSettings, Imported, MissingPart};
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine;
 use triquad_lab::meshes::paper::Scale;
@@ -103,6 +103,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             counted(rows, "row replaces an earlier one", "rows replace earlier ones")
         ),
     };
+    for part in &imported.missing_parts {
+        let note = without_total(part);
+        stdio::complain(&format!("{}: {note}", arguments.file.display()));
+    }
     let written = report::write(out, journal.results())?;
     stdio::say(&format!(
         "{}: {} of {} ({task}) on {} taken in{}{replaced}",
@@ -112,6 +116,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         counted(cells, "mesh", "meshes"),
         renamed.unwrap_or_default(),
     ))
+}
+
+/// Words why runs have no total, and what gives them one.
+fn without_total(part: &MissingPart) -> String {
+    let MissingPart { column, known, has_column, runs } = *part;
+    let runs = counted(runs, "run has", "runs have");
+    let (fault, remedy) = match has_column {
+        true => ("empty", "fill it in"),
+        false => ("missing", "add it"),
+    };
+    format!(
+        "{runs} no total, which is {known} + {column}: {column} is {fault}; {remedy}, with 0 for \
+         a stage that does not exist, or give total_seconds"
+    )
 }
 
 fn read(arguments: &Arguments) -> Result<Imported, Failure> {

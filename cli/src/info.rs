@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use triquad::counted::counted;
 use triquad::{Law, Mesh, Survey, Triangulation, Violation};
 
 use crate::failure::Failure;
@@ -66,6 +67,8 @@ struct Broken {
     law: Law,
     element: String,
     count: usize,
+    /// Faces there, counted from 1 as elements are.
+    faces: Vec<usize>,
     remedy: String,
     #[serde(skip)]
     message: String,
@@ -91,8 +94,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     stdio::say(&text)?;
     let laws = match info.violations.len() {
         0 => return Ok(()),
-        1 => "a law".into(),
-        laws => format!("{laws} laws"),
+        laws => counted(laws, "law", "laws"),
     };
     let way = match &info.convert_options {
         Some(options) => {
@@ -171,7 +173,7 @@ impl Info {
             closed: survey.closed,
             closed_by_welding: (!survey.closed).then_some(welding_distance.is_some()),
             welding_distance,
-            convert_options: refused.options(survey),
+            convert_options: refused.options(survey).map(|way| way.to_string()),
             violations: survey.violations.iter().map(broken).collect(),
             left_out: Vec::new(),
             repairs: Vec::new(),
@@ -185,7 +187,8 @@ impl Broken {
             law: violation.law,
             element: violation.element.to_string(),
             count: violation.count,
-            remedy: refused.remedy(violation),
+            faces: violation.faces.iter().map(|face| face + 1).collect(),
+            remedy: refused.remedy(violation).to_string(),
             message: violation.to_string(),
         }
     }
@@ -242,13 +245,13 @@ fn kinds_of_faces(info: &Info) -> String {
     let others = info.faces - info.triangles - info.quads;
     let mut kinds = Vec::new();
     if info.triangles > 0 || info.quads + others == 0 {
-        kinds.push(format!("{} triangles", info.triangles));
+        kinds.push(counted(info.triangles, "triangle", "triangles"));
     }
     if info.quads > 0 {
-        kinds.push(format!("{} quads", info.quads));
+        kinds.push(counted(info.quads, "quad", "quads"));
     }
     if others > 0 {
-        kinds.push(format!("{others} others"));
+        kinds.push(counted(others, "other", "others"));
     }
     kinds.join(", ")
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use triquad::counted::counted;
 use triquad::mesh::{Attributes, Format, MeshError, Reader, refuse_endless};
 use triquad::triangulation::OpenTriangulation;
 use triquad::{Element, Mesh, Survey, Triangulation};
@@ -31,12 +32,21 @@ pub struct Repairs {
     /// Flip faces until neighbours agree on orientation
     #[arg(long)]
     pub orient: bool,
-    /// Cut faces of four or more corners into triangles first, the best-shaped ones that make no
+    /// First cut faces of four or more corners into triangles, the best-shaped ones that make no
     /// edge twice
     #[arg(long)]
     pub triangulate: bool,
     #[command(flatten)]
     pub reading: Reading,
+}
+
+impl Repairs {
+    /// Returns the number of repairs that are on.
+    pub fn number(&self) -> usize {
+        let Self { clean, orient, triangulate, reading } = self;
+        let on = [*clean, *orient, *triangulate, reading.weld.is_some()];
+        on.into_iter().filter(|&is_on| is_on).count()
+    }
 }
 
 /// Parses the distance of `--weld`.
@@ -231,13 +241,12 @@ pub fn refusal(
     repairs: Repairs,
     other_remedy: Option<&str>,
 ) -> Failure {
-    let first = survey.violations[0];
+    let first = &survey.violations[0];
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
-        1 => format!(" (and 1 other law is broken, see 'triquad info {}')", shell::word(path)),
         more => {
-            let word = shell::word(path);
-            format!(" (and {more} other laws are broken, see 'triquad info {word}')")
+            let (word, more) = (shell::word(path), counted(more, "other law is", "other laws are"));
+            format!(" (and {more} broken, see 'triquad info {word}')")
         }
     };
     // Readers of OBJ files expect numbers that count from 1.
@@ -248,7 +257,7 @@ pub fn refusal(
     let name = first.law.name();
     let mut remedy = match mesh {
         Some(mesh) => remedies::Refused::new(mesh, path, repairs).full_remedy(survey),
-        None => remedies::general(first.law, repairs).into(),
+        None => remedies::general(first.law, repairs).to_string(),
     };
     if let Some(other) = other_remedy {
         remedy = format!("{remedy}; {other}");

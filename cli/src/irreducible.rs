@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 use triquad::Mesh;
 use triquad::clock::{Clock, SystemClock};
+use triquad::counted::counted;
 use triquad::irreducible::{Contractor, Counts, Order, check_irreducible};
 use triquad::mesh::Faces;
 
@@ -115,13 +116,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn summary(stats: &Stats) -> String {
     let Sizes { input, result_vertices, result_triangles, .. } = stats.sizes;
     format!(
-        "{} vertices and {} triangles (genus {}) -> {result_vertices} vertices and \
-         {result_triangles} triangles, irreducible; {} made {} link condition tests; {:.3} s",
-        input.vertices,
-        input.triangles,
+        "{} and {} (genus {}) -> {} and {}, irreducible; {} made {}; {:.3} s",
+        counted(input.vertices, "vertex", "vertices"),
+        counted(input.triangles, "triangle", "triangles"),
         input.genus,
+        counted(result_vertices, "vertex", "vertices"),
+        counted(result_triangles, "triangle", "triangles"),
         stats.algorithm,
-        stats.tests.link_condition_tests,
+        counted(stats.tests.link_condition_tests, "link condition test", "link condition tests"),
         stats.seconds,
     )
 }

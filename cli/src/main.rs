@@ -4,9 +4,9 @@
 //! `run`, `merge`, `import`, `report`, `compare`, `paper`, `draw`; `completions` and `man` share
 //! `manual`. The other files are shared by several verbs.
 //!
-//! Exit codes: 0 done; 1 a check failed; 2 bad input or usage; 130 interrupted. A failure is one
-//! line on standard error with the file, the place, the law and the remedy. So is a refusal of
-//! memory (Linux).
+//! Exit codes: 0 done; 1 a check failed, or a run did not end well; 2 bad input or usage; 130
+//! interrupted. A failure is one line on standard error with the file, the place, the law and the
+//! remedy. So is a refusal of memory (Linux).
 
 mod aims;
 mod bad_runs;
@@ -76,9 +76,9 @@ static ALLOCATOR: huge_pages::HugePages = huge_pages::HugePages;
 #[derive(Parser)]
 #[command(version, after_help = format!(
     "Formats: {FORMATS} .stl (read only), each also with .gz; '-' is any of them on standard input, \
-     OBJ on standard output.\nExit codes: 0 done, 1 a check failed, 2 bad input or usage, 130 \
-     interrupted.\nMessages: vertices, edges and faces have numbers that count from 1, in file \
-     order.\n\n\
+     OBJ on standard output.\nExit codes: 0 done, 1 a check failed or a run did not end well, 2 \
+     bad input or usage, 130 interrupted.\nMessages: vertices, edges and faces have numbers that \
+     count from 1, in file order.\n\n\
      Example: triquad convert bunny.obj -o bunny-quads.obj"
 ))]
 struct Arguments {
@@ -165,6 +165,8 @@ fn tool() -> ExitCode {
     }
     #[cfg(unix)]
     outlive_full_files();
+    #[cfg(target_os = "linux")]
+    out_of_memory::include_threads();
     interrupt::settle();
     let arguments = names::with_weld_values(std::env::args_os());
     let result = match Arguments::try_parse_from(arguments) {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use triquad_lab::counted::counted;
+use triquad::counted::counted;
 use triquad_lab::experiment::command_line::quoted;
 use triquad_lab::experiment::merge::{MergeError, merge};
 

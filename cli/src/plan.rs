@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use triquad_lab::counted::counted;
+use triquad::counted::counted;
 use triquad_lab::experiment::estimate::{Estimate, run_seconds};
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
 
@@ -67,7 +67,8 @@ fn is_first(plan: &Plan, block: &Block) -> bool {
 /// Writes the jobs of a block: `10 x sg tarjan, 1 x gw local (first 9 paths)`.
 fn jobs(block: &Block) -> String {
     let name = |run: &PlannedRun| {
-        let stopped = run.stop_after_paths.map(|paths| format!(" (first {paths} paths)"));
+        let first = |paths| counted(paths as usize, "path", "paths");
+        let stopped = run.stop_after_paths.map(|paths| format!(" (first {})", first(paths)));
         format!("{} x {}{}", run.repetitions, run.job.name(), stopped.unwrap_or_default())
     };
     let mut jobs: Vec<String> = block.runs.iter().map(name).collect();

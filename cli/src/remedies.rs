@@ -1,9 +1,12 @@
 //! Remedies of a mesh that is refused: what helps, with the options that are on.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
+use std::fmt;
 use std::path::Path;
 
+use triquad::counted::counted;
 use triquad::mesh::{Faces, Format};
 use triquad::{Law, Mesh, Survey, Violation};
 
@@ -18,22 +21,76 @@ pub struct Refused<'a> {
     welding_distance: OnceCell<Option<f64>>,
 }
 
+/// What helps against a broken law.
+pub struct Remedy {
+    words: Cow<'static, str>,
+    /// True if it is an option of the command.
+    is_option: bool,
+}
+
+impl Remedy {
+    fn option(words: impl Into<Cow<'static, str>>) -> Self {
+        Self { words: words.into(), is_option: true }
+    }
+
+    /// A remedy outside of the command.
+    fn other(words: impl Into<Cow<'static, str>>) -> Self {
+        Self { words: words.into(), is_option: false }
+    }
+}
+
+impl fmt::Display for Remedy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words)
+    }
+}
+
+/// Options with which `convert` takes a mesh.
+pub struct Way {
+    repairs: Repairs,
+    /// True if the mesh stays open, which is no repair.
+    is_open: bool,
+}
+
+impl fmt::Display for Way {
+    /// Writes the options as they are typed.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Repairs { clean, orient, triangulate, reading } = self.repairs;
+        let weld = reading.weld.map(|distance| match distance {
+            0.0 => "--weld".into(),
+            _ => format!("--weld {distance:e}"),
+        });
+        let others = [
+            (clean, "--clean"),
+            (triangulate, "--triangulate"),
+            (orient, "--orient"),
+            (self.is_open, "--open"),
+        ];
+        let others = others.into_iter().filter(|(is_on, _)| *is_on);
+        let words: Vec<String> =
+            weld.into_iter().chain(others.map(|(_, option)| option.into())).collect();
+        f.write_str(&words.join(" "))
+    }
+}
+
 const CUT_OFF: &str = "if the file was cut off, copy or export it again";
 
 const CLEAN: &str = "--clean drops degenerate faces";
 
 /// Returns what helps against a broken law of a mesh that is not at hand any more: an option of the
 /// command where the library has a function.
-pub fn general(law: Law, repairs: Repairs) -> &'static str {
+pub fn general(law: Law, repairs: Repairs) -> Remedy {
     match law {
-        Law::Triangle if repairs.triangulate => CLEAN,
-        Law::Triangle => "--triangulate cuts larger faces into triangles; remove smaller ones",
-        Law::DistinctCorners => CLEAN,
-        Law::DistinctFaces => "--clean drops triangles that are there twice",
-        Law::NoBoundary if repairs.reading.weld.is_some() => "close the holes",
-        Law::NoBoundary => "close the holes, or use --weld if the gaps are seams",
-        Law::ConsistentOrientation => "--orient flips faces until they agree",
-        law => law.remedy(),
+        Law::Triangle if repairs.triangulate => Remedy::option(CLEAN),
+        Law::Triangle => {
+            Remedy::option("--triangulate cuts larger faces into triangles; remove smaller ones")
+        }
+        Law::DistinctCorners => Remedy::option(CLEAN),
+        Law::DistinctFaces => Remedy::option("--clean drops triangles that are there twice"),
+        Law::NoBoundary if repairs.reading.weld.is_some() => Remedy::other("close the holes"),
+        Law::NoBoundary => Remedy::option("close the holes, or use --weld if the gaps are seams"),
+        Law::ConsistentOrientation => Remedy::option("--orient flips faces until they agree"),
+        law => Remedy::other(law.remedy()),
     }
 }
 
@@ -45,44 +102,44 @@ impl<'a> Refused<'a> {
     }
 
     /// Returns what helps against a broken law.
-    pub fn remedy(&self, violation: &Violation) -> String {
+    pub fn remedy(&self, violation: &Violation) -> Remedy {
         match violation.law {
             law @ Law::NotEmpty if self.may_be_cut_off => {
-                format!("{}; {CUT_OFF}", general(law, self.repairs))
+                Remedy::other(format!("{}; {CUT_OFF}", general(law, self.repairs)))
             }
             Law::Triangle => self.for_corners(),
             Law::NoBoundary => match self.welding_distance() {
-                Some(0.0) => "--weld closes it: it joins vertices at equal coordinates".into(),
-                Some(distance) => {
-                    format!("--weld {distance:e} closes it: it joins vertices that near")
+                Some(0.0) => {
+                    Remedy::option("--weld closes it: it joins vertices at equal coordinates")
                 }
+                Some(distance) => Remedy::option(format!(
+                    "--weld {distance:e} closes it: it joins vertices that near"
+                )),
                 None => self.for_holes(),
             },
-            law => general(law, self.repairs).into(),
+            law => general(law, self.repairs),
         }
     }
 
     /// Returns what helps against the first of the laws of `survey`, and whether an option that it
-    /// names does not suffice. `--open` is not counted: it is no repair.
+    /// names does not suffice.
     pub fn full_remedy(&self, survey: &Survey) -> String {
         let remedy = self.remedy(&survey.violations[0]);
-        if !remedy.contains("--") {
-            return remedy;
+        if !remedy.is_option {
+            return remedy.to_string();
         }
-        let Repairs { clean, orient, triangulate, reading } = self.repairs;
-        let on = [clean, orient, triangulate, reading.weld.is_some()];
-        let on = on.into_iter().filter(|&is_on| is_on).count();
-        let repairs = |way: &String| way.replace("--open", "").matches("--").count();
-        match self.options(survey).as_ref().map(repairs) {
+        match self.options(survey) {
             None => format!("{remedy}, but no options suffice for this mesh"),
-            Some(needed) if needed > on + 1 => format!("{remedy}, but more options are needed"),
-            Some(_) => remedy,
+            Some(way) if way.repairs.number() > self.repairs.number() + 1 => {
+                format!("{remedy}, but more options are needed")
+            }
+            Some(_) => remedy.to_string(),
         }
     }
 
     /// Returns what helps against holes that welding does not close. Vertices without faces are
     /// the only sign that the file had more of them.
-    fn for_holes(&self) -> String {
+    fn for_holes(&self) -> Remedy {
         let mut has_face = vec![false; self.mesh.positions().len()];
         for &v in self.mesh.faces().corners() {
             if let Some(has_face) = has_face.get_mut(v as usize) {
@@ -90,34 +147,29 @@ impl<'a> Refused<'a> {
             }
         }
         let idle = has_face.iter().filter(|&&has_face| !has_face).count();
-        match idle {
-            1 if self.may_be_cut_off => {
-                format!("close the holes; a vertex is in no face: {CUT_OFF}")
-            }
-            2.. if self.may_be_cut_off => {
-                format!("close the holes; {idle} vertices are in no face: {CUT_OFF}")
-            }
-            _ => "close the holes".into(),
+        if idle == 0 || !self.may_be_cut_off {
+            return Remedy::other("close the holes");
         }
+        let idle = counted(idle, "vertex is", "vertices are");
+        Remedy::other(format!("close the holes; {idle} in no face: {CUT_OFF}"))
     }
 
     /// Returns what helps against the first face that is no triangle.
-    fn for_corners(&self) -> String {
+    fn for_corners(&self) -> Remedy {
         let faces = self.mesh.faces();
         let first = (0..faces.len()).find(|&face| faces[face].len() != 3).unwrap_or_default();
-        let corners = faces.get(first).unwrap_or_default().len();
-        match corners {
-            0..3 => {
-                let s = if corners == 1 { "" } else { "s" };
+        match faces.get(first).unwrap_or_default().len() {
+            corners @ 0..3 => {
+                let corners = counted(corners, "corner", "corners");
                 let end = match first + 1 == faces.len() {
                     true => format!(" and is the last: {CUT_OFF}"),
                     false => String::new(),
                 };
-                format!("it has {corners} corner{s}{end}; {CLEAN}")
+                Remedy::option(format!("it has {corners}{end}; {CLEAN}"))
             }
             // What is left of larger faces after cutting repeats a corner.
-            _ if self.repairs.triangulate => CLEAN.into(),
-            _ => "--triangulate cuts larger faces into triangles".into(),
+            _ if self.repairs.triangulate => Remedy::option(CLEAN),
+            _ => Remedy::option("--triangulate cuts larger faces into triangles"),
         }
     }
 
@@ -155,7 +207,7 @@ impl<'a> Refused<'a> {
 
     /// Returns the options with which `convert` takes the mesh, those that are on included; none if
     /// there are none. The mesh breaks the laws of `survey`.
-    pub fn options(&self, survey: &Survey) -> Option<String> {
+    pub fn options(&self, survey: &Survey) -> Option<Way> {
         let breaks = |law| survey.violations.iter().any(|violation| violation.law == law);
         let mut way = self.repairs;
         let faces = self.mesh.faces();
@@ -178,20 +230,7 @@ impl<'a> Refused<'a> {
             Err(survey) if survey.is_open_surface(way.orient) => true,
             Err(_) => return None,
         };
-        let weld = way.reading.weld.map(|distance| match distance {
-            0.0 => "--weld".into(),
-            _ => format!("--weld {distance:e}"),
-        });
-        let others = [
-            (way.clean, "--clean"),
-            (way.triangulate, "--triangulate"),
-            (way.orient, "--orient"),
-            (is_open, "--open"),
-        ];
-        let others = others.into_iter().filter(|(is_on, _)| *is_on);
-        let words: Vec<String> =
-            weld.into_iter().chain(others.map(|(_, option)| option.into())).collect();
-        Some(words.join(" "))
+        Some(Way { repairs: way, is_open })
     }
 }
 
@@ -216,4 +255,32 @@ fn size(mesh: &Mesh) -> f64 {
         all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
     };
     (0..3).map(side).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What `full_remedy` decides by is what the words say, for every law and repair.
+    #[test]
+    fn remedies_are_options_exactly_where_they_name_one() {
+        let names = ["--clean", "--orient", "--triangulate", "--weld"];
+        for triangulate in [false, true] {
+            let repairs = Repairs { triangulate, ..Repairs::default() };
+            for law in Law::ALL {
+                let Remedy { words, is_option } = general(law, repairs);
+                assert_eq!(names.iter().any(|name| words.contains(name)), is_option, "{words}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_way_is_counted_by_its_repairs_and_written_as_typed() {
+        let mut way = Way { repairs: Repairs::default(), is_open: true };
+        assert_eq!((way.to_string().as_str(), way.repairs.number()), ("--open", 0));
+        way.repairs.clean = true;
+        way.repairs.reading.weld = Some(1e-5);
+        let words = "--weld 1e-5 --clean --open";
+        assert_eq!((way.to_string().as_str(), way.repairs.number()), (words, 2));
+    }
 }

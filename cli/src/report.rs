@@ -4,7 +4,7 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use triquad::atomic_file::AtomicFile;
-use triquad_lab::counted::counted;
+use triquad::counted::counted;
 use triquad_lab::experiment::Results;
 use triquad_lab::pictures;
 use triquad_lab::report::{self, Extent, Report, documents};

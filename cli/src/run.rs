@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
-use triquad_lab::counted::counted;
+use triquad::counted::counted;
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine::{self, Build};
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
@@ -25,7 +25,7 @@ use crate::{bad_runs, generate, input, interrupt, own_program, report, results_f
 
 /// Run experiments: each run is a process, and a row of runs.csv
 ///
-/// A row is on the disk before the next run begins. May be interrupted at any time: started again,
+/// A row is on the disk before the next run begins. Interrupt it at any time: started again,
 /// it does the runs without a row, and those that failed before they began. Tables are written
 /// after every block, at most every five seconds, the page every minute and at the end.
 ///

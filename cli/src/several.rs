@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use triquad::counted::counted;
 use triquad::mesh::Format;
 
 use crate::failure::Failure;
@@ -11,7 +12,7 @@ use crate::{input, shell, stdio};
 /// Options of a verb that takes several inputs.
 #[derive(clap::Args, Clone)]
 pub struct Several {
-    /// More meshes; each is converted by itself, and the others are when one is refused
+    /// More meshes, each converted by itself; a refused one does not stop the others
     #[arg(value_name = "IN")]
     more: Vec<PathBuf>,
     /// Write each result into FOLDER, which is made if it is not there, under the name of its input
@@ -56,7 +57,9 @@ impl Several {
             }
         }
         let Some(&code) = codes.iter().max() else { return Ok(()) };
-        let message = format!("{} of {} meshes were not converted", codes.len(), inputs.len());
+        let inputs = counted(inputs.len(), "mesh", "meshes");
+        let were = if codes.len() == 1 { "was" } else { "were" };
+        let message = format!("{} of {inputs} {were} not converted", codes.len());
         Err(Failure::with_code(code, message))
     }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use triquad::clock::{Clock, SystemClock};
+use triquad::counted::counted;
 use triquad::simplify::{Rule, Shape, Simplifier, SimplifyError};
 use triquad::{Mesh, Triangulation};
 
@@ -111,9 +112,11 @@ fn failure(input: &Path, error: &SimplifyError) -> Failure {
 fn summary(stats: &Stats) -> String {
     let Sizes { input, result_vertices, result_triangles, .. } = stats.sizes;
     format!(
-        "{} -> {result_vertices} vertices, {result_triangles} triangles (genus {}), largest degree \
-         {}, angles from {:.1} to {:.1} degrees; simplified in {:.3} s",
+        "{} -> {}, {} (genus {}), largest degree {}, angles from {:.1} to {:.1} degrees; \
+         simplified in {:.3} s",
         input.vertices,
+        counted(result_vertices, "vertex", "vertices"),
+        counted(result_triangles, "triangle", "triangles"),
         input.genus,
         stats.largest_degree,
         stats.smallest_angle_degrees,

@@ -3,11 +3,10 @@
 //! [`meshes`] makes the papers' meshes, [`experiment`] runs the algorithms on them and records each
 //! run, [`pictures`] draws the quads, [`report`] turns records into tables, verdicts, plots and a
 //! page, beside what [`paper`] has of the printed tables. [`algorithms`] holds what all of them
-//! need of each algorithm, [`counted`] puts numbers into words, [`nearest`] guesses names.
+//! need of each algorithm, [`nearest`] guesses names.
 //! Only public items of the library are used.
 
 pub mod algorithms;
-pub mod counted;
 mod csv_text;
 pub mod experiment;
 mod file_hash;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
+use triquad::counted::counted;
 use triquad::mesh::{MeshError, Place};
 use triquad::{CheckError, ConvertError, Element, Law, Survey, Violation};
 
@@ -100,16 +101,18 @@ impl Failure {
     /// Makes the failure of a mesh that is refused: names the first broken law, the number of
     /// others, and a second remedy.
     fn refusal(survey: &Survey, other_remedy: &str) -> Self {
-        let first = survey.violations[0];
+        let first = &survey.violations[0];
         let others = match survey.violations.len() - 1 {
             0 => String::new(),
-            1 => " (1 other law is broken, see triquad.survey)".into(),
-            more => format!(" ({more} other laws are broken, see triquad.survey)"),
+            more => {
+                let more = counted(more, "other law is", "other laws are");
+                format!(" ({more} broken, see triquad.survey)")
+            }
         };
         let argument = if first.law == Law::FiniteCoordinate { "vertices" } else { "triangles" };
         let remedy = remedy(first.law).to_owned() + other_remedy;
         Self::Mesh(Box::new(MeshFailure {
-            message: format!("{argument}: {}{others}; {remedy}", sentence(&first)),
+            message: format!("{argument}: {}{others}; {remedy}", sentence(first)),
             law: first.law.name(),
             element: element(first.element),
             count: first.count,
@@ -202,11 +205,7 @@ pub fn sentence(violation: &Violation) -> String {
         [index] => format!("{kind} {index}"),
         _ => format!("{kind} {indices:?}"),
     };
-    let more = match violation.count {
-        1 => String::new(),
-        count => format!(" (first of {count})"),
-    };
-    format!("{subject} {}{more}", violation.law.complaint())
+    format!("{subject} {}{}", violation.law.complaint(), violation.notes(0))
 }
 
 /// Returns the remedy, with options of this package where the library has a function.

@@ -77,6 +77,7 @@ fn violation(violation: &Violation) -> Value {
         "law": violation.law.name(),
         "element": element(violation.element),
         "count": violation.count,
+        "faces": violation.faces,
         "remedy": remedy(violation.law),
         "message": sentence(violation),
     })

@@ -38,7 +38,8 @@ def check_range(name: str, array: NDArray[Any], vertices: int) -> None:
         return
     rows, columns = np.nonzero((array < 0) | (array >= vertices))
     index = int(array[rows[0], columns[0]])
-    problem = "is negative" if index < 0 else f"is too large for {vertices} vertices (from 0)"
+    number = "1 vertex" if vertices == 1 else f"{vertices} vertices"
+    problem = "is negative" if index < 0 else f"is too large for {number} (from 0)"
     remedy = "number vertices from 0 to len(vertices) - 1"
     raise MeshError(
         f"{name}: row {rows[0]} has index {index}, which {problem}; {remedy}",

@@ -53,6 +53,8 @@ class Violation:
     """The first element that breaks the law."""
     count: int
     """Number of elements that break it."""
+    faces: list[int]
+    """Faces at the element, if that is an edge, a vertex or a face like an earlier one."""
     remedy: str
     message: str
 

@@ -33,7 +33,7 @@ pub enum PictureError {
     #[error("a width, opacity or shade is negative or not finite")]
     Style,
     /// Not one colour for each face.
-    #[error("{colours} colours are given for {faces} faces")]
+    #[error("the number of colours is {colours}, that of faces {faces}")]
     Colours {
         /// Number of colours.
         colours: usize,

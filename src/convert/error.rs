@@ -1,6 +1,7 @@
 //! Reason why a conversion has no result.
 
 use super::report::Report;
+use crate::counted::counted;
 use crate::matching::weighted::SolveError;
 use crate::pairing::{Algorithm, ProofError};
 use crate::quadrangulation::{CheckError, CostCountError, NoSuchEdgeError};
@@ -51,7 +52,10 @@ pub enum ConvertError {
         algorithm: Algorithm,
     },
     /// [`Progress`](super::Progress) stopped the conversion; the report has what was counted.
-    #[error("stopped after {} augmenting paths", .0.paths.paths)]
+    #[error(
+        "stopped after {}",
+        counted(.0.paths.paths, "augmenting path", "augmenting paths")
+    )]
     Stopped(Box<Report>),
 }
 

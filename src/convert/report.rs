@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::augmentation::{Augmentation, AugmentationStats};
+use crate::counted::counted;
 use crate::irreducible::Discipline;
 use crate::pairing::{Algorithm, LRS_ORDER};
 use crate::quadrangulation::SharpEdges;
@@ -200,9 +201,9 @@ impl Report {
     /// Writes how many edges to keep were given up, if there were any.
     fn fmt_given_up(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.kept_edges, self.given_up_edges) {
-            (Some(all), Some(0)) => write!(f, "; none of {all} edges to keep given up"),
+            (Some(all), Some(0)) => write!(f, "; none of {} to keep given up", edges(all)),
             (Some(all), Some(lost)) => {
-                write!(f, "; {lost} of {all} edges to keep given up, proved fewest")
+                write!(f, "; {lost} of {} to keep given up, proved fewest", edges(all))
             }
             _ => Ok(()),
         }
@@ -216,17 +217,18 @@ impl Report {
         }
         match self.boundary_loops {
             None => write!(f, ")"),
-            Some(1) => write!(f, ", 1 boundary loop)"),
-            Some(loops) => write!(f, ", {loops} boundary loops)"),
+            Some(loops) => {
+                write!(f, ", {})", counted(loops, "boundary loop", "boundary loops"))
+            }
         }
     }
 
     /// Writes how many triangles are left, if some might have been.
     fn fmt_left(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(left) = self.leftover_triangles else { return Ok(()) };
-        let plural = if left == 1 { "" } else { "s" };
+        let left = triangles(left);
         let proof = if self.is_proved_fewest { " (proved fewest)" } else { "" };
-        write!(f, " and {left} triangle{plural} left over{proof}")
+        write!(f, " and {left} left over{proof}")
     }
 
     /// Writes the shape of the quads, if it was measured.
@@ -241,8 +243,10 @@ impl Report {
         }
         write!(
             f,
-            "; {} of {} edges over 30 degrees kept; {} vertices of degree 2",
-            sharp.kept, sharp.all, self.degree_two_vertices,
+            "; {} of {} over 30 degrees kept; {} of degree 2",
+            sharp.kept,
+            edges(sharp.all),
+            vertices(self.degree_two_vertices),
         )
     }
 
@@ -250,15 +254,15 @@ impl Report {
     fn fmt_stopped(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} triangles (genus {}), no quads; {} left {} unpaired ({:.3} %), stopped after {} of \
-             {} augmenting paths by {}; paired in {}, augmented for {}",
-            self.triangles,
+            "{} (genus {}), no quads; {} left {} unpaired ({:.3} %), stopped after {} of {} by {}; \
+             paired in {}, augmented for {}",
+            triangles(self.triangles),
             self.genus,
             self.algorithm,
             self.unpaired_triangles,
             100.0 - self.paired_percent(),
             self.paths.paths,
-            self.unpaired_triangles / 2,
+            counted(self.unpaired_triangles / 2, "augmenting path", "augmenting paths"),
             self.augmentation,
             duration(self.pairing_seconds),
             duration(self.augmentation_seconds),
@@ -272,11 +276,11 @@ impl fmt::Display for Report {
         if self.stopped {
             return self.fmt_stopped(f);
         }
-        write!(f, "{} triangles ", self.triangles)?;
+        write!(f, "{} ", triangles(self.triangles))?;
         self.fmt_topology(f)?;
-        write!(f, " -> {} quads", self.quads)?;
+        write!(f, " -> {}", counted(self.quads, "quad", "quads"))?;
         self.fmt_left(f)?;
-        write!(f, " on the same {} vertices", self.vertices)?;
+        write!(f, " on the same {}", vertices(self.vertices))?;
         match self.unreferenced_vertices {
             0 => write!(f, "; ")?,
             more => write!(f, " ({more} more in no face); ")?,
@@ -285,6 +289,18 @@ impl fmt::Display for Report {
         self.fmt_shape(f)?;
         write!(f, "; paired in {}", duration(self.total_seconds()))
     }
+}
+
+fn triangles(count: usize) -> String {
+    counted(count, "triangle", "triangles")
+}
+
+fn edges(count: usize) -> String {
+    counted(count, "edge", "edges")
+}
+
+fn vertices(count: usize) -> String {
+    counted(count, "vertex", "vertices")
 }
 
 /// Writes a number with three digits behind the point, zero without a sign.

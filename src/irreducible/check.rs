@@ -1,5 +1,6 @@
 //! Checks of results, from their triangles alone.
 
+use crate::counted::counted;
 use crate::mesh::Mesh;
 use crate::triangulation::{Survey, Triangulation, VertexId};
 
@@ -11,7 +12,10 @@ pub enum IrreducibleError {
     #[error("what is left is no triangulation: {0}")]
     Broken(Box<Survey>),
     /// The result triangulates another surface.
-    #[error("what is left has {components} components of genus {genus} in all")]
+    #[error(
+        "what is left has {} of genus {genus} in all",
+        counted(*.components, "component", "components")
+    )]
     OtherSurface {
         /// Connected components.
         components: usize,

@@ -3,6 +3,7 @@
 use super::corner_indices::CornerIndices;
 use super::face_sections::FaceSections;
 use super::text_list::TextList;
+use crate::counted::counted;
 
 /// Attributes of an OBJ file, in its own words.
 ///
@@ -89,7 +90,11 @@ impl Attributes {
 #[non_exhaustive]
 pub enum AttributesError {
     /// There is not one index for each corner.
-    #[error("{given} {kind} indices are given for {corners} corners")]
+    #[error(
+        "{} given for {}",
+        counted(*.given, format_args!("{kind} index is"), format_args!("{kind} indices are")),
+        counted(*.corners, "corner", "corners")
+    )]
     CornerCount {
         /// Texture or normal.
         kind: &'static str,

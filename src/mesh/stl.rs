@@ -9,6 +9,7 @@ use super::polygon_mesh::Mesh;
 use super::text::is_padding;
 use super::tokens::{self, Tokens};
 use super::weld::ExactWelder;
+use crate::counted::counted;
 
 const HEADER_BYTES: usize = 84;
 const TRIANGLE_BYTES: usize = 50;
@@ -39,7 +40,11 @@ fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let surplus = &body[records.as_flattened().len()..];
     if !is_padding(surplus) {
         let place = Place::Byte(bytes.len() - surplus.len());
-        let problem = format!("{} bytes after the last of {count} triangles", surplus.len());
+        let problem = format!(
+            "{} after the last of {}",
+            counted(surplus.len(), "byte", "bytes"),
+            counted(count, "triangle", "triangles")
+        );
         return Err(MeshError::malformed(place, problem));
     }
     let mut welder = Triangles::with_capacity(count)?;
@@ -244,7 +249,7 @@ mod tests {
     fn a_wrong_length_is_told_in_binary_terms() {
         let mut bytes = binary(b"solid", &[[A, B, C], [C, B, A]]);
         bytes.push(7);
-        assert_eq!(problem(&bytes), "byte 184: 1 bytes after the last of 2 triangles");
+        assert_eq!(problem(&bytes), "byte 184: 1 byte after the last of 2 triangles");
         assert_eq!(problem(&bytes[..183]), "the file ends before triangle 2 of 2");
         bytes[80..84].fill(255);
         assert!(problem(&bytes).contains("the file ends before triangle 3 of 4294967295"));

@@ -1,5 +1,7 @@
 //! What may be wrong with a quad mesh.
 
+use crate::counted::counted;
+
 /// What is wrong with a face by itself. Displayed numbers count from 1, stored ones from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[cfg_attr(
@@ -24,10 +26,9 @@ pub enum FaceFault {
 
 fn kind_of_face(corners: usize) -> String {
     match corners {
-        1 => "has 1 corner".into(),
         3 => "is a triangle".into(),
         4 => "is a quadrilateral".into(),
-        more => format!("has {more} corners"),
+        other => format!("has {}", counted(other, "corner", "corners")),
     }
 }
 
@@ -44,7 +45,7 @@ pub enum CheckError {
     #[error("face {} of the triangle mesh {}", .0 + 1, .1)]
     BadTriangle(usize, FaceFault),
     /// The numbers of vertices differ.
-    #[error("the quad mesh has {quads} vertices, the triangle mesh {triangles}")]
+    #[error("the quad mesh has {}, the triangle mesh {triangles}", vertices(*.quads))]
     VertexCount {
         /// Vertices of the quad mesh.
         quads: usize,
@@ -52,7 +53,7 @@ pub enum CheckError {
         triangles: usize,
     },
     /// The triangulation has not as many vertices as the mesh whose surface it should triangulate.
-    #[error("the triangulation has {paired} vertices, the triangle mesh {given}")]
+    #[error("the triangulation has {}, the triangle mesh {given}", vertices(*.paired))]
     TriangulationVertexCount {
         /// Vertices of the triangulation whose triangles were paired.
         paired: usize,
@@ -112,4 +113,8 @@ pub enum CheckError {
         /// That of the triangle mesh.
         triangles: i64,
     },
+}
+
+fn vertices(count: usize) -> String {
+    counted(count, "vertex", "vertices")
 }

@@ -4,10 +4,10 @@
 
 use std::sync::atomic::{AtomicI32, Ordering};
 
-use super::edge_quad::EdgeQuad;
+use super::edge_quad::{EdgeQuad, prefetch_ahead};
 use crate::parallel::{collect, map, ranges};
 use crate::prefetch::prefetch;
-use crate::triangulation::{Surface, TriangleId};
+use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
 
 /// A price for every quad that two triangles can make; the less, the better the quad.
 ///
@@ -135,7 +135,8 @@ impl<S: Surface, C: Cost + ?Sized> Valuation<'_, S, C> {
     /// Sets the costs of those edges of `f` whose other triangle comes later.
     #[inline]
     fn set_costs(&self, f: TriangleId) {
-        self.prefetch_ahead(f);
+        let prefetch_cost = |twin: HalfEdgeId| prefetch(self.of_side, twin.index());
+        prefetch_ahead(self.surface, self.positions, f, prefetch_cost);
         for side in f.half_edges() {
             let Some(twin) = self.surface.across(side).filter(|&twin| side < twin) else {
                 continue;
@@ -145,32 +146,6 @@ impl<S: Surface, C: Cost + ?Sized> Valuation<'_, S, C> {
             for h in [side, twin] {
                 self.of_side[h.index()].store(value, Ordering::Relaxed);
             }
-        }
-    }
-
-    /// Has the cache fetch what later triangles need, in two steps: a triangle's own corners and
-    /// the sides across, then the corners that those lead to. Scattered numbering takes four times
-    /// as long without.
-    #[inline]
-    fn prefetch_ahead(&self, f: TriangleId) {
-        /// Triangles between a step and the next.
-        const AHEAD: usize = 8;
-        let ahead = |steps| {
-            let index = f.index() + steps * AHEAD;
-            let sides = (index < self.surface.triangle_count())
-                .then(|| TriangleId::new(index).half_edges());
-            sides.into_iter().flatten()
-        };
-        for side in ahead(2) {
-            if let Some(twin) = self.surface.across(side) {
-                self.surface.prefetch(twin);
-            }
-            prefetch(self.positions, self.surface.origin(side).index());
-        }
-        for twin in ahead(1).filter_map(|side| self.surface.across(side)) {
-            let opposite = self.surface.origin(twin.prev());
-            prefetch(self.positions, opposite.index());
-            prefetch(self.of_side, twin.index());
         }
     }
 }

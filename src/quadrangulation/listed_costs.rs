@@ -1,10 +1,15 @@
 //! Costs that are given edge by edge.
 
+use crate::counted::counted;
 use crate::triangulation::Surface;
 
 /// A list of costs that does not have one for each edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{given} costs are given for {edges} edges")]
+#[error(
+    "{} given for {}",
+    counted(*.given, "cost is", "costs are"),
+    counted(*.edges, "edge", "edges")
+)]
 pub struct CostCountError {
     /// Number of costs.
     pub given: usize,

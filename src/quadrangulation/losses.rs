@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::edge_ends::corners_at_ends;
 use super::edge_quad::quad_corners;
+use crate::counted::counted;
 use crate::mesh::{Attributes, CornerIndices, TextList};
 use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
 
@@ -44,23 +45,26 @@ impl AttributeLosses {
     /// Returns what is lost, in words for the user.
     pub fn notes(&self) -> Vec<String> {
         let borders = [
-            (self.texture_seams, "texture seam edges"),
-            (self.normal_seams, "edges between different normals"),
-            (self.materials, "edges between materials"),
-            (self.groups, "edges between groups"),
-            (self.smoothing_groups, "edges between smoothing groups"),
+            (self.texture_seams, "texture seam ", ""),
+            (self.normal_seams, "", " between different normals"),
+            (self.materials, "", " between materials"),
+            (self.groups, "", " between groups"),
+            (self.smoothing_groups, "", " between smoothing groups"),
         ];
-        let lost = borders.into_iter().filter(|(border, _)| border.inside_quads > 0);
-        let lost = lost.map(|(Border { edges, inside_quads }, what)| {
-            format!("{inside_quads} of {edges} {what} (inside quads)")
+        let lost = borders.into_iter().filter(|(border, ..)| border.inside_quads > 0);
+        let lost = lost.map(|(Border { edges, inside_quads }, before, behind)| {
+            let edges = counted(edges, format!("{before}edge"), format!("{before}edges"));
+            format!("{inside_quads} of {edges}{behind} (inside quads)")
         });
         let partial = [
             (self.quads_without_texture, "texture coordinates"),
             (self.quads_without_normals, "normals"),
         ];
         let partial = partial.into_iter().filter(|(quads, _)| *quads > 0);
-        let partial = partial
-            .map(|(quads, what)| format!("the {what} of {quads} quads (not all corners have one)"));
+        let partial = partial.map(|(quads, what)| {
+            let quads = counted(quads, "quad", "quads");
+            format!("the {what} of {quads} (not all corners have one)")
+        });
         lost.chain(partial).collect()
     }
 }

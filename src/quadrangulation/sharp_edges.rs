@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::edge_quad::EdgeQuad;
+use super::edge_quad::{EdgeQuad, prefetch_ahead};
 use crate::parallel::{map, ranges};
-use crate::triangulation::{HalfEdgeId, Surface};
+use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
 
 /// Cosine of 30 degrees: an edge is sharp if the normals of its triangles differ by more.
 const SHARP_COSINE: f64 = 0.866_025_403_784_438_6;
@@ -27,15 +27,29 @@ impl SharpEdges {
     /// # Panics
     /// If a vertex of the surface has no position.
     pub fn new(surface: &impl Surface, positions: &[[f64; 3]], removed: &[HalfEdgeId]) -> Self {
-        let is_sharp = |&side: &HalfEdgeId| {
-            let quad = EdgeQuad::beyond(surface, positions, side);
-            quad.is_some_and(|quad| quad.is_bent_beyond(SHARP_COSINE))
+        let mut is_removed = vec![0_u64; (3 * surface.triangle_count()).div_ceil(64)];
+        removed.iter().for_each(|side| is_removed[side.index() / 64] |= 1 << (side.index() % 64));
+        let is_removed =
+            |side: HalfEdgeId| is_removed[side.index() / 64] >> (side.index() % 64) & 1 != 0;
+        let count = |triangles: Range<usize>| {
+            let (mut all, mut lost) = (0, 0);
+            for f in triangles.map(TriangleId::new) {
+                prefetch_ahead(surface, positions, f, |_| {});
+                for side in f.half_edges() {
+                    let Some(twin) = surface.across(side).filter(|&twin| side < twin) else {
+                        continue;
+                    };
+                    let quad = EdgeQuad::between(surface, positions, [side, twin]);
+                    if quad.is_bent_beyond(SHARP_COSINE) {
+                        all += 1;
+                        lost += usize::from(is_removed(side) || is_removed(twin));
+                    }
+                }
+            }
+            [all, lost]
         };
-        let among = |triangles| surface.edges_of(triangles).filter(is_sharp).count();
-        let all: usize = map(ranges(surface.triangle_count()), among).into_iter().sum();
-        let lost =
-            |quads: Range<usize>| removed[quads].iter().filter(|side| is_sharp(side)).count();
-        let lost: usize = map(ranges(removed.len()), lost).into_iter().sum();
+        let counts = map(ranges(surface.triangle_count()), count);
+        let [all, lost] = counts.into_iter().fold([0, 0], |[a, b], [c, d]| [a + c, b + d]);
         Self { all, kept: all - lost }
     }
 }

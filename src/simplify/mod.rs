@@ -26,6 +26,7 @@ use tournament::Tournament;
 pub use rule::Rule;
 pub use shape::Shape;
 
+use crate::counted::counted;
 use crate::mesh::Mesh;
 use crate::triangulation::{
     HalfEdgeId, IdVec, LinkMarks, ShrinkingTriangulation, TriangleId, Triangulation, VertexId,
@@ -36,7 +37,7 @@ use crate::triangulation::{
 #[non_exhaustive]
 pub enum SimplifyError {
     /// There are not as many vertices.
-    #[error("{wanted} vertices wanted, but there are only {present}")]
+    #[error("{} wanted, but there are only {present}", vertices(*.wanted))]
     TooMany {
         /// Requested number of vertices.
         wanted: usize,
@@ -46,8 +47,8 @@ pub enum SimplifyError {
     /// Every edge left fails the link condition: the triangulation is irreducible, at least in the
     /// order in which edges were contracted.
     #[error(
-        "{wanted} vertices wanted, but with {reached} left no edge can be contracted without a \
-         change of topology"
+        "{} wanted, but with {reached} left no edge can be contracted without a change of topology",
+        vertices(*.wanted)
     )]
     Irreducible {
         /// Requested number of vertices.
@@ -55,6 +56,10 @@ pub enum SimplifyError {
         /// Vertices left.
         reached: usize,
     },
+}
+
+fn vertices(count: usize) -> String {
+    counted(count, "vertex", "vertices")
 }
 
 /// A triangulation on its way to fewer vertices.

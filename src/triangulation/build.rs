@@ -84,7 +84,7 @@ impl Stars {
         for v in 1..=vertices {
             ends[v] += ends[v - 1];
         }
-        let mut half_edges = vec![HalfEdgeId::NONE; corners.len()];
+        let mut half_edges = collect(corners.len(), |_| HalfEdgeId::NONE);
         let slot_ends: Vec<usize> = vertex_ends.iter().map(|&v| ends[v] as usize).collect();
         let slots = split(&mut half_edges, &slot_ends);
         let cursors = split(&mut ends[..vertices], &vertex_ends);

@@ -60,12 +60,21 @@ impl SidesByEdge {
     }
 
     /// Reports edges with one face or more than two, those of the lowest face first.
-    pub(super) fn check_degrees(&self, violations: &mut Violations) {
+    pub(super) fn check_degrees(&self, list: &Mesh, violations: &mut Violations) {
         let mut broken: Vec<&[FaceSide]> = self.groups().filter(|group| group.len() != 2).collect();
         broken.sort_unstable_by_key(|group| group[0].from);
         for group in broken {
             let law = if group.len() == 1 { Law::NoBoundary } else { Law::AtMostTwoFaces };
-            violations.add(law, Element::Edge(group[0].low, group[0].high));
+            let edge = Element::Edge(group[0].low, group[0].high);
+            violations.add_at(law, edge, || faces_of(group, list));
         }
     }
+}
+
+/// Returns the faces of some sides, by their index in the file.
+pub(super) fn faces_of<'s>(
+    sides: impl IntoIterator<Item = &'s FaceSide>,
+    list: &Mesh,
+) -> Vec<usize> {
+    sides.into_iter().map(|side| list.face_in_file(side.face as usize)).collect()
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::counted::listed;
 use crate::mesh::MAX_CORNERS;
 use crate::names::named;
 
@@ -89,7 +90,7 @@ impl Law {
             Self::NoBoundary => "is a boundary edge: it belongs to one face only",
             Self::Orientable => "closes a one-sided (non-orientable) strip",
             Self::ConsistentOrientation => "is passed in the same direction by both its faces",
-            Self::OneFan => "joins several fans of faces (bow-tie)",
+            Self::OneFan => "is a bow-tie: it joins several fans of faces",
         }
     }
 
@@ -156,7 +157,7 @@ impl fmt::Display for Element {
 
 /// A broken law: the first element that breaks it, and how many do. Displayed numbers count from 1,
 /// stored ones from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Violation {
@@ -166,20 +167,65 @@ pub struct Violation {
     pub element: Element,
     /// Number of elements that break it.
     pub count: usize,
-    /// The vertex (from 0) that the first face names and that does not exist, and the number of
-    /// vertices that do.
+    /// Faces at the first element, by their index in the file, if that does not name them: those of
+    /// the edge, one face of each fan of the vertex, the earlier face with the same corners.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub faces: Vec<usize>,
+    /// The vertex that the first face names and that does not exist, and the number of vertices
+    /// that do.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub absent_vertex: Option<(u32, usize)>,
 }
 
+impl Violation {
+    /// Returns the faces in words, the first of them if there are many; nothing if there are none.
+    /// `start` is the number of the first face of the file.
+    ///
+    /// ```
+    /// let overfull = vec![[0, 1, 2], [1, 0, 3], [0, 1, 4]];
+    /// let mesh = triquad::Mesh::from_triangles(vec![[0.0; 3]; 5], overfull);
+    /// let violations = triquad::Survey::new(&mesh).violations;
+    /// assert_eq!(violations[0].faces_in_words(1).as_deref(), Some("faces 1, 2 and 3"));
+    /// ```
+    pub fn faces_in_words(&self, start: usize) -> Option<String> {
+        /// Of more faces only the number is displayed.
+        const SHOWN: usize = 8;
+        let shown = self.faces.iter().take(SHOWN);
+        let mut names: Vec<String> = shown.map(|face| (face + start).to_string()).collect();
+        if self.faces.len() > SHOWN {
+            names.push(format!("{} more", self.faces.len() - SHOWN));
+        }
+        match (self.law, names.len()) {
+            (_, 0) => None,
+            (Law::OneFan, _) => Some(format!("one face of each: {}", listed(&names))),
+            (_, 1) => Some(format!("face {}", names[0])),
+            _ => Some(format!("faces {}", listed(&names))),
+        }
+    }
+
+    /// Returns the words in brackets behind the complaint: the faces, the vertex that does not
+    /// exist, and the number of elements if it is not one. `start` is the number of the first face
+    /// and of the first vertex.
+    ///
+    /// ```
+    /// let absent = triquad::Mesh::from_triangles(vec![[0.0; 3]; 3], vec![[0, 1, 7], [0, 1, 8]]);
+    /// let violations = triquad::Survey::new(&absent).violations;
+    /// assert_eq!(violations[0].notes(1), " (vertex 8 of 3; first of 2)");
+    /// assert_eq!(violations[0].notes(0), " (vertex 7 of 3; first of 2)");
+    /// ```
+    pub fn notes(&self, start: usize) -> String {
+        let faces = self.faces_in_words(start);
+        let absent = self.absent_vertex;
+        let absent = absent.map(|(v, all)| format!("vertex {} of {all}", v as usize + start));
+        let first_of = (self.count > 1).then(|| format!("first of {}", self.count));
+        let notes: Vec<String> = faces.into_iter().chain(absent).chain(first_of).collect();
+        if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) }
+    }
+}
+
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.element, self.law.complaint())?;
-        let absent = self.absent_vertex;
-        let absent = absent.map(|(v, all)| format!("vertex {} of {all}", u64::from(v) + 1));
-        let first_of = (self.count > 1).then(|| format!("first of {}", self.count));
-        let notes: Vec<String> = absent.into_iter().chain(first_of).collect();
-        if notes.is_empty() { Ok(()) } else { write!(f, " ({})", notes.join("; ")) }
+        write!(f, "{} {}{}", self.element, self.law.complaint(), self.notes(1))
     }
 }
 
@@ -201,10 +247,19 @@ mod tests {
     #[test]
     fn violations_are_plain_json() {
         let element = Element::Edge(3, 4);
-        let violation = Violation { law: Law::NoBoundary, element, count: 2, absent_vertex: None };
+        let mut violation = Violation {
+            law: Law::NoBoundary,
+            element,
+            count: 2,
+            faces: Vec::new(),
+            absent_vertex: None,
+        };
         let json = r#"{"law":"boundary-edge","element":{"edge":[3,4]},"count":2}"#;
         assert_eq!(serde_json::to_string(&violation).unwrap(), json);
         assert_eq!(serde_json::from_str::<Violation>(json).unwrap(), violation);
+        violation.faces.push(7);
+        let json = serde_json::to_string(&violation).unwrap();
+        assert!(json.ends_with(r#""count":2,"faces":[7]}"#), "{json}");
     }
 
     #[test]

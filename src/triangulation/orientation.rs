@@ -1,6 +1,6 @@
 //! True if the faces of a mesh can be oriented alike, and which ones to flip for it.
 
-use super::face_sides::{FaceSide, SidesByEdge};
+use super::face_sides::{FaceSide, SidesByEdge, faces_of};
 use super::laws::{Element, Law};
 use super::violations::Violations;
 use crate::disjoint_sets::ParitySets;
@@ -26,25 +26,29 @@ impl Orientation {
         for (one, other) in edges.pairs() {
             let flip = !agree(one, other);
             if !sets.join(one.face, other.face, flip) {
-                twisted.push(one);
+                twisted.push((one, other));
             }
             if flip {
-                disagreeing.push(one);
+                disagreeing.push((one, other));
             }
         }
-        twisted.sort_unstable_by_key(|side| side.from);
-        for side in &twisted {
-            violations.add(Law::Orientable, Element::Edge(side.low, side.high));
+        let mut add = |law, (one, other): (&FaceSide, &FaceSide)| {
+            let edge = Element::Edge(one.low, one.high);
+            violations.add_at(law, edge, || faces_of([one, other], list));
+        };
+        twisted.sort_unstable_by_key(|(one, _)| one.from);
+        for &sides in &twisted {
+            add(Law::Orientable, sides);
         }
-        let one_sided: Vec<u32> = twisted.iter().map(|side| side.face).collect();
+        let one_sided: Vec<u32> = twisted.iter().map(|(one, _)| one.face).collect();
         let mut is_one_sided = vec![false; list.faces().len()];
         for &face in &one_sided {
             is_one_sided[sets.find(face).0 as usize] = true;
         }
-        disagreeing.retain(|side| !is_one_sided[sets.find(side.face).0 as usize]);
-        disagreeing.sort_unstable_by_key(|side| side.from);
-        for side in disagreeing {
-            violations.add(Law::ConsistentOrientation, Element::Edge(side.low, side.high));
+        disagreeing.retain(|(one, _)| !is_one_sided[sets.find(one.face).0 as usize]);
+        disagreeing.sort_unstable_by_key(|(one, _)| one.from);
+        for sides in disagreeing {
+            add(Law::ConsistentOrientation, sides);
         }
         Self { faces_to_flip: fewest_flips(&mut sets, list.faces().len()), one_sided }
     }

@@ -73,6 +73,7 @@ impl Survey {
                 law: Law::NotTooLarge,
                 element: Element::Mesh,
                 count: 1,
+                faces: Vec::new(),
                 absent_vertex: None,
             }];
             return survey;
@@ -80,7 +81,7 @@ impl Survey {
         let sound = sound_faces(list, &mut violations);
         find_duplicates(list, &sound, &mut violations);
         let edges = SidesByEdge::gather(list, &sound);
-        edges.check_degrees(&mut violations);
+        edges.check_degrees(list, &mut violations);
         let sides = Orientation::new(list, &edges, &mut violations);
         check_fans(list, &edges, &mut violations);
 
@@ -214,12 +215,14 @@ fn find_duplicates(list: &Mesh, sound: &[bool], violations: &mut Violations) {
         let mut members: Vec<(Vec<u32>, usize)> =
             group.iter().map(|&(_, face)| (sorted_corners(face), face)).collect();
         members.sort_unstable();
-        repeated
-            .extend(members.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1));
+        for equal in members.chunk_by(|a, b| a.0 == b.0) {
+            repeated.extend(equal[1..].iter().map(|&(_, face)| (face, equal[0].1)));
+        }
     }
     repeated.sort_unstable();
-    for face in repeated {
-        violations.add(Law::DistinctFaces, Element::Face(list.face_in_file(face)));
+    for (face, earlier) in repeated {
+        let element = Element::Face(list.face_in_file(face));
+        violations.add_at(Law::DistinctFaces, element, || vec![list.face_in_file(earlier)]);
     }
 }
 
@@ -244,7 +247,18 @@ fn check_fans(list: &Mesh, edges: &SidesByEdge, violations: &mut Violations) {
         }
     }
     for (v, _) in fan_count.iter().enumerate().filter(|(_, count)| **count > 1) {
-        violations.add(Law::OneFan, Element::Vertex(v as u32));
+        let v = v as u32;
+        violations.add_at(Law::OneFan, Element::Vertex(v), || {
+            let at_vertex = edges.all().iter().filter(|side| vertex(side.from) == v);
+            let mut by_fan: Vec<(u32, usize)> = at_vertex
+                .map(|side| (fans.find(side.from), list.face_in_file(side.face as usize)))
+                .collect();
+            by_fan.sort_unstable();
+            by_fan.dedup_by_key(|(fan, _)| *fan);
+            let mut faces: Vec<usize> = by_fan.into_iter().map(|(_, face)| face).collect();
+            faces.sort_unstable();
+            faces
+        });
     }
 }
 

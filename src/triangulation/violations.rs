@@ -8,9 +8,25 @@ pub(super) struct Violations(Vec<Violation>);
 
 impl Violations {
     pub(super) fn add(&mut self, law: Law, element: Element) {
+        self.add_at(law, element, Vec::new);
+    }
+
+    /// Adds an element with the faces there; `faces` is called for the first element of a law only.
+    pub(super) fn add_at(
+        &mut self,
+        law: Law,
+        element: Element,
+        faces: impl FnOnce() -> Vec<usize>,
+    ) {
         match self.0.iter_mut().find(|violation| violation.law == law) {
             Some(violation) => violation.count += 1,
-            None => self.0.push(Violation { law, element, count: 1, absent_vertex: None }),
+            None => self.0.push(Violation {
+                law,
+                element,
+                count: 1,
+                faces: faces(),
+                absent_vertex: None,
+            }),
         }
     }
 

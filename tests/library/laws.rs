@@ -22,7 +22,7 @@ fn survey(list: &Mesh) -> Survey {
 }
 
 fn first(list: &Mesh) -> (Law, Element, usize) {
-    let violation = survey(list).violations[0];
+    let violation = survey(list).violations.swap_remove(0);
     (violation.law, violation.element, violation.count)
 }
 
@@ -161,6 +161,56 @@ fn an_edge_shared_by_two_surfaces_is_overfull() {
     assert_eq!(first(&list), (Law::AtMostTwoFaces, Element::Edge(0, 1), 1));
 }
 
+/// An edge or vertex alone does not say which faces to mend.
+#[test]
+fn faces_at_the_broken_place_are_named_as_in_the_file() {
+    let tetrahedron = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    let with = |faces: &[[u32; 3]]| {
+        let positions = (0..20).map(|i| [f64::from(i), f64::from(i * i), 0.0]).collect();
+        Mesh::from_triangles(positions, faces.to_vec())
+    };
+    let broken = |faces: &[[u32; 3]]| survey(&with(faces)).violations.swap_remove(0);
+    let glued = |at: [u32; 4]| {
+        [&tetrahedron[..], &tetrahedron.map(|t| t.map(|v: u32| at[v as usize]))].concat()
+    };
+
+    let overfull = broken(&glued([0, 1, 4, 5]));
+    assert_eq!((overfull.law, &overfull.faces[..]), (Law::AtMostTwoFaces, &[0, 1, 4, 5][..]));
+    let told = "edge 1-2 belongs to more than two faces (faces 1, 2, 5 and 6)";
+    assert_eq!(overfull.to_string(), told);
+    let bow_tie = broken(&glued([3, 4, 5, 6]));
+    assert_eq!((bow_tie.law, &bow_tie.faces[..]), (Law::OneFan, &[1, 4][..]));
+    assert!(bow_tie.to_string().ends_with("fans of faces (one face of each: 2 and 5)"));
+    let mut turned = tetrahedron;
+    turned[0].reverse();
+    let turned = broken(&turned);
+    assert_eq!((turned.law, &turned.faces[..]), (Law::ConsistentOrientation, &[0, 2][..]));
+    assert!(turned.to_string().ends_with(" (faces 1 and 3; first of 3)"), "{turned}");
+    let open = broken(&tetrahedron[..3]);
+    assert_eq!((open.law, &open.faces[..]), (Law::NoBoundary, &[0][..]));
+    let twice = broken(&[&tetrahedron[..], &[[3, 1, 2]]].concat());
+    assert_eq!(
+        (twice.law, twice.element, &twice.faces[..]),
+        (Law::DistinctFaces, Element::Face(4), &[2][..])
+    );
+    let strip = [[0, 1, 2], [1, 3, 2], [2, 3, 4], [3, 5, 4], [4, 5, 1], [5, 0, 1]];
+    let violations = survey(&with(&strip)).violations;
+    let strip = violations.iter().find(|found| found.law == Law::Orientable).unwrap();
+    assert_eq!(strip.faces.len(), 2);
+
+    // A book of many pages: the rest is counted. What was cut before does not shift the names.
+    let pages: Vec<[u32; 3]> = (2..14).map(|page| [0, 1, page]).collect();
+    let many = broken(&pages);
+    assert!(many.to_string().ends_with("(faces 1, 2, 3, 4, 5, 6, 7, 8 and 4 more)"), "{many}");
+    let (positions, _) = with(&[]).into_parts();
+    let mut faces = Faces::default();
+    faces.push(&[7, 8, 9, 10]);
+    faces.extend(glued([0, 1, 4, 5]));
+    let mut cut = Mesh::new(positions, faces);
+    cut.triangulate().unwrap();
+    assert_eq!(survey(&cut).violations[0].faces, [1, 2, 5, 6]);
+}
+
 #[test]
 fn polygons_are_surveyed_as_they_are() {
     let cube: [[u32; 4]; 6] =
@@ -288,7 +338,7 @@ proptest! {
     fn a_mutated_mesh_breaks_the_right_law(surface in crate::common::sculpted_surface(), mutation in mutation()) {
         let mut surface = surface;
         let (list, law, element, count) = apply(&mutation, &mut surface);
-        let violation = survey(&list).violations[0];
+        let violation = survey(&list).violations.swap_remove(0);
         prop_assert_eq!(violation.law, law);
         prop_assert_eq!(Some(violation.element), element.or(Some(violation.element)));
         prop_assert_eq!(Some(violation.count), count);
@@ -315,7 +365,7 @@ proptest! {
         let glue = |v: u32| if v == other { one } else { v };
         let glued = surface.triangles.iter().map(|t| t.map(glue)).collect();
         let list = Mesh::from_triangles(surface.positions.clone(), glued);
-        let found = survey(&list).violations[0];
+        let found = survey(&list).violations.swap_remove(0);
         if apart {
             prop_assert_eq!((found.law, found.element, found.count), (Law::OneFan, Element::Vertex(one), 1));
         } else {

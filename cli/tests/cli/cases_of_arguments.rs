@@ -121,7 +121,7 @@ fn places_that_cannot_be_written_to_are_named_with_their_remedy() {
 }
 
 #[test]
-fn numbers_of_experiments_have_limits_and_nothing_is_named_twice() {
+fn numbers_of_experiments_have_limits_and_nothing_is_named_twice_or_in_vain() {
     let workshop = workshop();
     let table = [
         ("timeout_seconds = 60", "timeout_seconds = 0", "timeout_seconds = 0: must be from 1 to"),
@@ -132,6 +132,11 @@ fn numbers_of_experiments_have_limits_and_nothing_is_named_twice() {
         ("[\"tq\"]", "[\"tq\", \"tq\"]", "group \"all\" names tq local twice"),
         ("[\"local\"]", "[\"local\", \"local\"]", "group \"all\" names tq local twice"),
         ("\"all\"", "\"two\\nlines\"", "has a line break"),
+        (
+            "[\"local\"]",
+            "[\"local\"]\norders = [\"file\"]",
+            "bad.toml: line 14: orders has no effect",
+        ),
     ];
     for (from, to, part) in table {
         assert!(EXPERIMENT.contains(from), "{from}");

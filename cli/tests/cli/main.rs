@@ -18,6 +18,8 @@ mod limits;
 #[cfg(unix)]
 mod numbers;
 mod open;
+#[cfg(unix)]
+mod option_tables;
 mod own_results;
 #[path = "../../../lab/tests/lab/records.rs"]
 mod records;

@@ -52,7 +52,7 @@ fn an_open_surface_is_converted_on_request() {
     let line = workshop.fail("check other.obj --against in.obj", 2);
     assert_contains(&line, &["in.obj", "boundary-edge", "--open"], "check");
     let line = workshop.fail("check other.obj --against in.obj --open", 1);
-    assert_contains(&line, &["other.obj", "vertices"], "check");
+    assert_contains(&line, &["other.obj", "vertex"], "check");
     let table = workshop.succeed("convert in.obj --open --compare");
     assert_eq!(table.lines().count(), 1 + Algorithm::ALL.len());
 }

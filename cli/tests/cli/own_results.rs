@@ -134,6 +134,8 @@ fn an_estimate_is_without_external_programs_and_says_so_once() {
     let theirs = plan(&text.replace("\"ps\", \"theirs\"", "\"theirs\""));
     let line = theirs.lines().find(|line| line.contains("botijo")).unwrap();
     assert!(line.ends_with(" –  2 x theirs external"), "{line}");
+    let said = String::from_utf8(shop.run("plan mine.toml --scale demo").stderr).unwrap();
+    assert!(said.contains("mine.toml: line ") && said.contains("programs alone"), "{said}");
     let said = shop.succeed("run mine.toml --scale demo --out out");
     assert!(said.contains("4 runs to do, about 0 s; no estimate for external programs"), "{said}");
     assert!(said.contains("about 0 s and 2 runs of external programs left"), "{said}");
@@ -375,6 +377,31 @@ fn without_a_number_to_compare_the_reason_is_true() {
     import("mesh,total_seconds\nbotijo,2\n", "--algorithm mine --out mine");
     let said = shop.refused("compare mine --baseline paper");
     assert!(said.ends_with("the two share no mesh with the same algorithm\n"), "{said}");
+}
+
+#[test]
+fn a_total_without_one_of_its_parts_is_left_out_and_named() {
+    let shop = Workshop::new();
+    let import = |name: &str, rows: &str| {
+        std::fs::write(shop.path("rows.csv"), rows).unwrap();
+        let output = shop.run(&format!("import rows.csv --algorithm {name} --out {name}"));
+        assert!(output.status.success());
+        let table = text(&shop, &format!("{name}/table_4_3.csv"));
+        let row = table.lines().find(|line| line.starts_with(&format!("botijo,{name},")));
+        (String::from_utf8(output.stderr).unwrap(), row.expect("a row").to_owned())
+    };
+    let (said, row) = import("one", "mesh,pairing_seconds\nbotijo,0.5\n");
+    let expected = "triquad: rows.csv: 1 run has no total, which is pairing_seconds + \
+                    augmentation_seconds: augmentation_seconds is missing; add it, with 0 for a \
+                    stage that does not exist, or give total_seconds\n";
+    assert_eq!(said, expected);
+    assert!(row.contains(",0.50000000,") && row.matches("0.5").count() == 1, "{row}");
+    let rows = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.5,\nbotijo,0.5,\n";
+    let (said, _) = import("two", rows);
+    assert!(said.contains("2 runs have no total") && said.contains("is empty; fill"), "{said}");
+    let rows = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.5,0.25\n";
+    let (said, row) = import("three", rows);
+    assert!(said.is_empty() && row.contains(",0.75000000,"), "{said} {row}");
 }
 
 #[test]

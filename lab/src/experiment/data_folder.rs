@@ -92,7 +92,7 @@ fn mesh_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
 }
 
 /// Returns the name of a mesh, known endings removed: `scan_0.25` for `folder/scan_0.25.obj.gz`.
-fn name_of(path: &Path) -> String {
+pub(super) fn name_of(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let without = |name: &str, ending: fn(&str) -> bool| match name.rsplit_once('.') {
         Some((stem, last)) if !stem.is_empty() && ending(last) => stem.to_owned(),

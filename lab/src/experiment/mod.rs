@@ -30,6 +30,7 @@ pub mod run_id;
 pub mod spec;
 pub mod spec_error;
 pub mod task;
+mod unused_keys;
 pub mod verification;
 mod workshop;
 

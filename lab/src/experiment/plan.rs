@@ -86,6 +86,7 @@ impl Plan {
         let groups = experiments.iter().flat_map(|experiment| &experiment.groups);
         let named: Vec<&String> = groups.flat_map(|group| &group.meshes).collect();
         for experiment in experiments {
+            plan.remarks.extend(experiment.remarks.iter().cloned());
             for group in &experiment.groups {
                 plan.add_group(experiment, group, data, &named)?;
             }

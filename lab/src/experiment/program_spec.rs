@@ -180,6 +180,11 @@ impl ProgramSpec {
         })
     }
 
+    /// Returns whether the command has this place.
+    pub(super) fn has_place(&self, place: &str) -> bool {
+        self.command.split().iter().any(|word| word.contains(place))
+    }
+
     /// Returns the command of a run.
     pub fn command(&self, places: Places<'_>) -> Vec<String> {
         self.command.split().iter().map(|word| self.fill(word, places)).collect()

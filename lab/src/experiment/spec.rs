@@ -36,6 +36,7 @@ use super::job::{self, Job, UnknownNameError};
 use super::program_spec::{ProgramSpec, ProgramSpecError};
 use super::spec_error::{SpecError, SpecFileError};
 use super::task::Task;
+use super::unused_keys;
 use crate::meshes::paper::Scale;
 
 /// An experiment file.
@@ -65,6 +66,9 @@ pub struct Experiment {
     /// Meshes and what is run on them.
     #[serde(rename = "group")]
     pub groups: Vec<MeshGroup>,
+    /// Remarks on keys that have no effect, with file and line.
+    #[serde(skip)]
+    pub remarks: Vec<String>,
 }
 
 /// When a run is stopped.
@@ -135,7 +139,8 @@ impl Experiment {
     /// Reads the file at `path`.
     ///
     /// # Errors
-    /// It cannot be read, is no TOML, or names something unknown.
+    /// It cannot be read, is no TOML, names something unknown, or has a key that can
+    /// have no effect.
     pub fn read(path: &Path) -> Result<Self, SpecFileError> {
         let text = std::fs::read_to_string(path).map_err(SpecError::Io);
         let read = text.and_then(|text| Self::parse(&text)).map(|mut experiment| {
@@ -144,6 +149,9 @@ impl Experiment {
             files.for_each(|file| *file = folder.join(&*file));
             let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
             experiment.programs.iter_mut().for_each(|program| here.clone_into(&mut program.here));
+            for remark in &mut experiment.remarks {
+                *remark = format!("{}: {remark}", path.display());
+            }
             experiment
         });
         read.map_err(|error| SpecFileError { path: path.to_owned(), error })
@@ -152,11 +160,12 @@ impl Experiment {
     /// Parses the text of an experiment file.
     fn parse(text: &str) -> Result<Self, SpecError> {
         let parsed: Result<Self, toml::de::Error> = toml::from_str(text);
-        let experiment = parsed.map_err(|error| {
+        let mut experiment = parsed.map_err(|error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             SpecError::Syntax { line, message: error.message().into() }
         })?;
         experiment.check()?;
+        experiment.remarks = unused_keys::check(&experiment, text)?;
         Ok(experiment)
     }
 
@@ -366,6 +375,7 @@ mod tests {
             assert!(fault.ends_with("needs algorithms and augmentations"), "{fault}");
         }
         let alone = text.replace("\"ps\", \"lrs few-flips\"", "\"mine\"");
+        let alone = alone.replace("stop_after_paths = { A1 = 7 }", "");
         assert!(Experiment::parse(&alone).is_ok(), "a program needs none");
     }
 

@@ -57,6 +57,16 @@ pub enum SpecError {
         /// The job.
         job: String,
     },
+    /// A key changes nothing of what is run.
+    #[error("line {line}: {key} has no effect: {why}")]
+    NoEffect {
+        /// Line, from 1.
+        line: usize,
+        /// The key.
+        key: String,
+        /// Reason and remedy.
+        why: String,
+    },
     /// A run has nothing to do.
     #[error("a run of {algorithms:?} needs algorithms and {list}")]
     NothingToRun {

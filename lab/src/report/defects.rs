@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
+use triquad::counted::counted;
+
 use super::summary::{Cell, Summary};
-use crate::counted::counted;
 use crate::experiment::Results;
 use crate::experiment::results::DamagedRow;
 

@@ -85,7 +85,6 @@ const TABLES: &[DocumentTable] = &[
             ("botijo", "PS"),
             ("eros", "SG"),
             ("eros", "LRS"),
-            ("happy-buddha", "LRS"),
             ("A2", "PS"),
             ("A2", "LRS"),
             ("B2", "PS"),
@@ -127,7 +126,7 @@ const TABLES: &[DocumentTable] = &[
     },
     DocumentTable {
         name: "speed",
-        rows: Rows::These(&[("happy-buddha", "TQ"), ("A1", "TQ"), ("A1", "PS")]),
+        rows: Rows::These(&[("A1", "TQ"), ("A1", "PS")]),
         columns: SPEED,
         runs: &[],
     },

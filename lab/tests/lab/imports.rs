@@ -1,6 +1,6 @@
 //! Files of results by others: what is refused, where, and with which remedy.
 
-use triquad_lab::experiment::import::{self, ImportSettings};
+use triquad_lab::experiment::import::{self, ImportSettings, MissingPart};
 use triquad_lab::meshes::paper::Scale;
 
 fn settings(mapping: &[(&str, &str)]) -> ImportSettings {
@@ -173,4 +173,37 @@ fn empty_cells_are_refused_where_a_value_is_needed_and_absent_elsewhere() {
         refusal("mesh,total_seconds,seed\nbotijo,0.5,-3\n"),
         "line 2, column \"seed\": -3 must be 0 or more"
     );
+}
+
+/// A total is the sum of both parts, or unknown: one part is never taken for it.
+#[test]
+fn a_total_is_computed_where_both_parts_are_known_and_missed_elsewhere() {
+    let read = |text: &str| import::read(text, &settings(&[])).unwrap();
+    let totals = |text: &str| -> Vec<Option<f64>> {
+        read(text).records.iter().map(|record| record.measured.total_seconds).collect()
+    };
+    let missing = |column, known, has_column, runs| MissingPart { column, known, has_column, runs };
+    let (pairing, augmentation) = ("pairing_seconds", "augmentation_seconds");
+
+    let alone = "mesh,pairing_seconds\nbotijo,0.5\neros,1.5\n";
+    assert_eq!(totals(alone), [None, None]);
+    assert_eq!(read(alone).missing_parts, [missing(augmentation, pairing, false, 2)]);
+    let other = "mesh,augmentation_seconds\nbotijo,0.5\n";
+    assert_eq!(read(other).missing_parts, [missing(pairing, augmentation, false, 1)]);
+
+    // Some rows have all, one has a total of its own, one did not end well.
+    let mixed = "mesh,pairing_seconds,augmentation_seconds,total_seconds,outcome\n\
+                 botijo,0.5,0.25,,\neros,0.5,,,\nA1,,2,,\nA2,0.5,,4,\nA3,0.5,,,timeout\n";
+    assert_eq!(totals(mixed), [Some(0.75), None, None, Some(4.0), None]);
+    let expected =
+        [missing(augmentation, pairing, true, 1), missing(pairing, augmentation, true, 1)];
+    assert_eq!(read(mixed).missing_parts, expected);
+
+    // Neither part: nothing was promised.
+    assert_eq!(read("mesh,unpaired_triangles\nbotijo,5\n").missing_parts, []);
+    let both = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.5,0\n";
+    assert_eq!((totals(both), read(both).missing_parts), (vec![Some(0.5)], vec![]));
+    // The task "irreducible" has one time only.
+    let reduction = "mesh,seconds,link_condition_tests\nir-B0,0.5,9\n";
+    assert_eq!(read(reduction).missing_parts, []);
 }

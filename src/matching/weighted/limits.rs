@@ -36,7 +36,7 @@ impl Limits {
         factor: 4,
         single_rounds: 2,
         patience: 3,
-        divided: 1 << 18,
+        divided: 1 << 15,
         part: 1 << 20,
         parts: 16,
         share: 16,

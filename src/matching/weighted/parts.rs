@@ -55,7 +55,7 @@ pub(super) fn run_in_parts<N: Number>(
     roots.into_iter().for_each(|roots| left.add(roots));
     let mut trees = join(&mut rows, grown, limits, work)?;
     trees.pair_all(left, most, limits, observer)?;
-    trees.finish()
+    Ok(trees.finish())
 }
 
 /// Starts, and finds the half-integral optimum; returns one node of each odd cycle, in order.

@@ -199,7 +199,7 @@ fn run<S: Nodes>(
     work.blossom_roots = roots.len() as u64;
     let mut trees = Trees::new(nodes, work);
     trees.pair_all(Roots::new(roots), 0, limits, observer)?;
-    trees.finish()
+    Ok(trees.finish())
 }
 
 /// Adds up the costs that the certificate proves to be those of the matching.

@@ -2,6 +2,7 @@
 
 use super::blocks::Block;
 use super::statements::Unread;
+use crate::counted::counted;
 
 /// A place in a block, as the number of bytes from it to the end, and the line once that is known.
 #[derive(Clone, Copy)]
@@ -67,10 +68,13 @@ impl Absent {
     pub(super) fn note_text(&self, kind: &str, dropped: usize, given: usize) -> Option<String> {
         let (_, first) = self.beyond.iter().find(|&&(index, _)| index as usize >= given)?;
         let (count, line) = (dropped + self.never, first.line);
-        Some(match count {
-            1 => format!("a reference to an absent {kind} (line {line})"),
-            _ => format!("{count} references to absent {kind}s (the first in line {line})"),
-        })
+        let references = counted(
+            count,
+            format_args!("reference to an absent {kind}"),
+            format_args!("references to absent {kind}s"),
+        );
+        let first = if count == 1 { "" } else { "the first in " };
+        Some(format!("{references} ({first}line {line})"))
     }
 }
 
@@ -126,11 +130,8 @@ impl Skipped {
     /// Returns the note on unknown lines, if there are any.
     pub(super) fn unknown(&self) -> Option<String> {
         let (text, Mark { line, .. }) = self.first.as_ref()?;
-        Some(match self.unknown {
-            1 => format!("a line that begins with no keyword (line {line}: '{text}')"),
-            many => format!(
-                "{many} lines that begin with no keyword (the first is line {line}: '{text}')"
-            ),
-        })
+        let lines = counted(self.unknown, "line that begins", "lines that begin");
+        let first = if self.unknown == 1 { "" } else { "the first is " };
+        Some(format!("{lines} with no keyword ({first}line {line}: '{text}')"))
     }
 }

@@ -121,14 +121,14 @@ fn references_to_what_is_absent_are_dropped_and_noted() {
     let points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (rest, note) in [
         ("f 1//1 2//2 3//3\n", "3 references to absent normals (the first in line 4)"),
-        ("\nf 1//1 2//2 3//3\nvn 0 0 1\nvn 0 0 1\n", "a reference to an absent normal (line 5)"),
-        ("f 1/0 2 3\n", "a reference to an absent texture coordinate (line 4)"),
-        ("vt 0 0\nf 1/-1 2/-2 3\n", "a reference to an absent texture coordinate (line 5)"),
+        ("\nf 1//1 2//2 3//3\nvn 0 0 1\nvn 0 0 1\n", "1 reference to an absent normal (line 5)"),
+        ("f 1/0 2 3\n", "1 reference to an absent texture coordinate (line 4)"),
+        ("vt 0 0\nf 1/-1 2/-2 3\n", "1 reference to an absent texture coordinate (line 5)"),
         (
             "f 1/1 2/2 3/3\nvt 0 0\nf 1/1 2/9 \\\n3/9\nvt 0 0\nvt 0 0\n",
             "2 references to absent texture coordinates (the first in line 6)",
         ),
-        ("f 1//9999999999 2 3\n", "a reference to an absent normal (line 4)"),
+        ("f 1//9999999999 2 3\n", "1 reference to an absent normal (line 4)"),
     ] {
         let mesh = read(format!("{points}{rest}").as_bytes()).unwrap();
         assert_eq!(mesh.left_out, [note], "{rest:?}");
@@ -136,7 +136,7 @@ fn references_to_what_is_absent_are_dropped_and_noted() {
     }
     let text = format!("{points}{}vt 0 0\nf 1/2 2 3\n", "# long\n".repeat(BLOCK / 4));
     let line = BLOCK / 4 + 5;
-    let note = format!("a reference to an absent texture coordinate (line {line})");
+    let note = format!("1 reference to an absent texture coordinate (line {line})");
     assert_eq!(read(text.as_bytes()).unwrap().left_out, [note]);
 }
 

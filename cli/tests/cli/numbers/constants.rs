@@ -28,8 +28,10 @@ pub const CONSTANTS: &[Constant] = &[
     constant("README.md", "0.7137", SIDE_BY_SIDE, "2000,4004,2,0.0,0.7137,0.0490,-0.2763,12.0,"),
     constant("README.md", "225", "docs/reproduction.md", "| all | 225 |"),
     constant("README.md", "114", "docs/reproduction.md", "| reproduced | 114 |"),
+    constant("README.md", "3.10", "python/pyproject.toml", "requires-python = \">=3.10\""),
     constant("README.md", "2.0", "Cargo.toml", "MIT OR Apache-2.0"),
     constant("docs/cli.md", "130", "lab/src/experiment/process.rs", "INTERRUPTED: i32 = 130"),
+    constant("docs/convert.md", "0.35", "cli/src/aims.rs", "default_missing_value = \"0.35\""),
     constant("docs/convert.md", "65,536", "src/quadrangulation/cost.rs", "65536.0"),
     constant("docs/convert.md", "10,000", "src/quadrangulation/cost.rs", "10_000"),
     constant("docs/formats.md", "16", "src/mesh/obj", "1 << 24"),
@@ -44,6 +46,7 @@ pub const CONSTANTS: &[Constant] = &[
     ),
     constant("docs/meshes.md", "131", "generators/src/box_mesh/paper_box/derivation.rs", "x..=131"),
     constant("docs/meshes.md", "159", "generators/src/box_mesh/paper_box/derivation.rs", "1..160"),
+    constant("docs/meshes.md", "3,500", "experiments/paper/table_4.csv", "ir-C0,C0,"),
     constant("docs/meshes.md", "136.0", "experiments/paper/table_4_4_i.csv", "A1,A1,ps"),
     constant("docs/own-results.md", "5", "lab/src/experiment/process.rs", "from_millis(5)"),
     constant(

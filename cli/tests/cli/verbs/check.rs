@@ -41,8 +41,16 @@ fn check_says_no_to_wrong_quads() {
             with_faces(&good, |faces| faces.iter_mut().for_each(|face| face.reverse())),
             "",
         ),
-        ("a quad missing", with_faces(&good, |faces| drop(faces.remove(4))), ""),
-        ("a quad doubled", with_faces(&good, |faces| faces.push(faces[4].clone())), ""),
+        (
+            "a quad missing",
+            with_faces(&good, |faces| drop(faces.remove(4))),
+            "one quad only (face ",
+        ),
+        (
+            "a quad doubled",
+            with_faces(&good, |faces| faces.push(faces[4].clone())),
+            "twice in the same direction (faces ",
+        ),
         ("a quad instead of another", with_faces(&good, |faces| faces[5] = faces[4].clone()), ""),
         ("a triangle among them", with_faces(&good, |faces| faces[2].truncate(3)), "face 3"),
         ("an index too high", with_faces(&good, |faces| faces[2][1] = vertices), "face 3"),

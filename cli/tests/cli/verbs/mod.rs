@@ -2,6 +2,7 @@
 
 mod check;
 mod conversions;
+mod counted_nouns;
 mod generate;
 #[cfg(unix)]
 mod interrupts;

@@ -37,21 +37,29 @@ fn broken_surfaces() -> Vec<Refusal> {
     let turned = TETRAHEDRON.replace("f 1 3 2", "f 1 2 3");
     let plane = bytes_of(&classic::projective_plane(), Format::Off);
     vec![
-        refusal("open.obj", open, "edge 1-3 | boundary edge | close the holes"),
+        refusal("open.obj", open, "edge 1-3 | boundary edge | (face 1; | close the holes"),
         refusal("coloured.obj", coloured, "edge 1-3 | boundary edge | close the holes"),
         refusal(
             "full.obj",
             two([1, 2, 5, 6]),
-            "edge 1-2 | more than two faces | separate the sheets",
+            "edge 1-2 | more than two faces (faces 1, 2, 5 and 6) | separate the sheets",
         ),
-        refusal("bow-tie.obj", two([4, 5, 6, 7]), "vertex 4 | several fans | a vertex of its own"),
-        refusal("turned.obj", turned, "edge 1-2 | same direction | --orient"),
-        refusal("one-sided.off", plane, "edge | non-orientable | cut the strip"),
+        refusal(
+            "bow-tie.obj",
+            two([4, 5, 6, 7]),
+            "vertex 4 | several fans of faces (one face of each: 2 and 5) | a vertex of its own",
+        ),
+        refusal(
+            "turned.obj",
+            turned,
+            "edge 1-2 | same direction | (faces 1 and 2; first of 3) | --orient",
+        ),
+        refusal("one-sided.off", plane, "edge | non-orientable | (faces | cut the strip"),
         refusal("cube.obj", CUBE, "face 1 | not a triangle | --triangulate"),
         with_line("line.obj", "f 1 2", "face 5 | not a triangle | 2 corners | copy"),
         with_line("nothing.obj", "f", "face 5 | not a triangle | 0 corners | copy"),
         with_line("repeated.obj", "f 1 1 2", "face 5 | repeats a corner | --clean"),
-        with_line("duplicate.obj", "f 2 1 3", "face 5 | same corners | --clean"),
+        with_line("duplicate.obj", "f 2 1 3", "face 5 | same corners | (face 1) | --clean"),
     ]
 }
 
@@ -201,7 +209,7 @@ fn obj_files_that_may_be_cut_off_get_a_hint() {
         let kind = match (of("f ").count(), of("v ").count() - used.len()) {
             (0, _) => format!("exported with faces; {HINT}"),
             (_, 0) => "close the holes; --open".into(),
-            (_, 1) => format!("close the holes; a vertex is in no face: {HINT}"),
+            (_, 1) => format!("close the holes; 1 vertex is in no face: {HINT}"),
             (_, idle) => format!("close the holes; {idle} vertices are in no face: {HINT}"),
         };
         workshop.put("in.obj", cut);

@@ -113,7 +113,7 @@ impl fmt::Display for ImpossiblePaperBoxError {
         match self {
             Self::NoDepth => write!(f, "shafts are at least 1 cell deep, not 0"),
             Self::TooManyHoles { holes, shafts } => {
-                write!(f, "{holes} holes, but only {shafts} shafts")
+                write!(f, "more holes ({holes}) than shafts ({shafts})")
             }
             Self::TooManyHalfEdges => write!(f, "the box would have more than 2^31 half-edges"),
         }

@@ -92,7 +92,7 @@ fn impossible_boxes_are_refused() {
     assert_eq!(refusal(2, 0, 0), ImpossiblePaperBoxError::NoDepth);
     let too_many = ImpossiblePaperBoxError::TooManyHoles { holes: 5, shafts: 4 };
     assert_eq!(refusal(2, 1, 5), too_many);
-    assert_eq!(too_many.to_string(), "5 holes, but only 4 shafts");
+    assert_eq!(too_many.to_string(), "more holes (5) than shafts (4)");
     for (shafts, depth) in [(62, 1 << 20), (1 << 14, 1), (u32::MAX, u32::MAX), (0, u32::MAX)] {
         assert_eq!(refusal(shafts, depth, 0), ImpossiblePaperBoxError::TooManyHalfEdges);
     }

@@ -8,6 +8,7 @@ mod plausible;
 
 use csv::StringRecord;
 use serde::Deserialize;
+use triquad::counted::counted;
 
 pub use error::ImportError;
 
@@ -18,7 +19,6 @@ use super::record::{IMPORTED, Outcome, RunRecord};
 use super::results::{Planned, column_names};
 use super::run_id::{MeshId, RunId};
 use super::task::Task;
-use crate::counted::counted;
 use crate::meshes::paper::{self, PaperMesh, Scale};
 use crate::meshes::{MeshKind, Recipe};
 use crate::nearest::{likely, slip_of};
@@ -50,6 +50,21 @@ pub struct Imported {
     pub renamed: Option<(&'static str, &'static str)>,
     /// Meshes in the words of the file, and those of the second paper that they are taken for.
     pub renamed_meshes: Vec<(String, String)>,
+    /// Parts of the total that runs lack.
+    pub missing_parts: Vec<MissingPart>,
+}
+
+/// A time without which a total cannot be computed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MissingPart {
+    /// Its column.
+    pub column: &'static str,
+    /// The column of the other part, which is there.
+    pub known: &'static str,
+    /// True if the file has the column, empty in these runs.
+    pub has_column: bool,
+    /// Runs that ended well and have neither this time nor a total.
+    pub runs: usize,
 }
 
 /// The columns that are no numbers of a run.
@@ -86,6 +101,10 @@ const PLACE_COLUMNS: [&str; 11] = [
 /// Those of them that are whole numbers.
 const COUNTS_OF_PLACE: [&str; 4] = ["repetition", "seed", "parallel_jobs", "stopped_after_paths"];
 
+/// Columns whose sum is the total of a conversion.
+const PAIRING: &str = "pairing_seconds";
+const AUGMENTATION: &str = "augmentation_seconds";
+
 /// Columns that belong to the mesh: they alone are no result.
 const SIZES: [&str; 5] = ["vertices", "edges", "triangles", "genus", "components"];
 
@@ -121,14 +140,20 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
     // Of the two tasks' times, the one that the other calls so too.
     let (columns, renamed) = with_times_of(job.task(), columns);
     let names = StringRecord::from(columns.clone());
-    let (records, renamed_meshes) = (Vec::new(), Vec::new());
-    let mut imported = Imported { records, rounded: 0, renamed, renamed_meshes };
+    let mut imported = Imported {
+        records: Vec::new(),
+        rounded: 0,
+        renamed,
+        renamed_meshes: Vec::new(),
+        missing_parts: Vec::new(),
+    };
     for row in rows {
         let row = checked(&row, &columns, &header, &mut imported.rounded)?;
         refuse_empty(&row, &columns, &header)?;
-        let record = record(&row, &names, job, settings, &imported.records)?;
+        let mut record = record(&row, &names, job, settings, &imported.records)?;
         plausible::check(&row, &columns, &header, &record)?;
         imported.note_mesh(&row, &columns, &record);
+        imported.complete_total(&mut record, &columns);
         imported.records.push(record);
     }
     Ok(imported)
@@ -143,6 +168,34 @@ impl Imported {
         let is_new = || self.renamed_meshes.iter().all(|(_, mesh)| mesh != taken);
         if taken.starts_with(SECOND_PAPER) && !starts_second_paper(given) && is_new() {
             self.renamed_meshes.push((given.to_owned(), taken.clone()));
+        }
+    }
+
+    /// Fills in the total of a conversion where both its parts are known, and notes the part that
+    /// is missing where only one is.
+    fn complete_total(&mut self, record: &mut RunRecord, columns: &[String]) {
+        let measured = &mut record.measured;
+        if record.id.job.task() != Task::Convert || measured.total_seconds.is_some() {
+            return;
+        }
+        let (column, known) = match (measured.pairing_seconds, measured.augmentation_seconds) {
+            (Some(pairing), Some(augmentation)) => {
+                measured.total_seconds = Some(pairing + augmentation);
+                return;
+            }
+            (Some(_), None) => (AUGMENTATION, PAIRING),
+            (None, Some(_)) => (PAIRING, AUGMENTATION),
+            (None, None) => return,
+        };
+        if !record.is_ok() {
+            return;
+        }
+        match self.missing_parts.iter_mut().find(|part| part.column == column) {
+            Some(part) => part.runs += 1,
+            None => {
+                let has_column = columns.iter().any(|name| name == column);
+                self.missing_parts.push(MissingPart { column, known, has_column, runs: 1 });
+            }
         }
     }
 

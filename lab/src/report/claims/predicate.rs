@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
+use triquad::counted::counted;
 
 use super::expression::Expression;
 use crate::report::number::{seconds, significant};
@@ -249,12 +250,11 @@ fn within(value: f64, number: f64, tolerance: f64) -> bool {
 /// Returns the least and the greatest value in words.
 fn range_of(points: &[MeshNumber]) -> String {
     let (low, high) = extremes(points);
-    let meshes = if points.len() == 1 { "mesh" } else { "meshes" };
-    let count = points.len();
+    let meshes = counted(points.len(), "mesh", "meshes");
     if low == high {
-        format!("{} on {count} {meshes}", significant(low))
+        format!("{} on {meshes}", significant(low))
     } else {
-        format!("{} to {} on {count} {meshes}", significant(low), significant(high))
+        format!("{} to {} on {meshes}", significant(low), significant(high))
     }
 }
 
@@ -268,20 +268,21 @@ fn whole(holds: bool, found: String) -> Finding {
 }
 
 fn monotone(points: &[MeshNumber], direction: Direction, share: f64) -> Finding {
-    let (mut pairs, mut agreeing) = (0_u32, 0_u32);
+    let (mut pairs, mut agreeing) = (0_usize, 0_usize);
     for (i, one) in points.iter().enumerate() {
         for other in points[..i].iter().filter(|other| other.along != one.along) {
             let rises = (one.value - other.value) * (one.along - other.along);
             pairs += 1;
-            agreeing += u32::from(match direction {
+            agreeing += usize::from(match direction {
                 Direction::Rises => rises > 0.0,
                 Direction::Falls => rises < 0.0,
             });
         }
     }
-    let holds = pairs > 0 && f64::from(agreeing) >= share * f64::from(pairs);
+    let holds = pairs > 0 && agreeing as f64 >= share * pairs as f64;
     let word = if direction == Direction::Rises { "rises" } else { "falls" };
-    whole(holds, format!("{word} in {agreeing} of {pairs} pairs of meshes; {}", range_of(points)))
+    let pairs = counted(pairs, "pair", "pairs");
+    whole(holds, format!("{word} in {agreeing} of {pairs} of meshes; {}", range_of(points)))
 }
 
 fn exponent(points: &[MeshNumber], low: f64, high: f64) -> Finding {
@@ -291,7 +292,8 @@ fn exponent(points: &[MeshNumber], low: f64, high: f64) -> Finding {
     };
     let interval =
         fit.interval.map_or(String::new(), |(low, high)| format!(" [{low:.3}, {high:.3}]"));
-    let found = format!("exponent {:.3}{interval} on {} meshes", fit.exponent, fit.n);
+    let meshes = counted(fit.n, "mesh", "meshes");
+    let found = format!("exponent {:.3}{interval} on {meshes}", fit.exponent);
     whole((low..=high).contains(&fit.exponent), found)
 }
 

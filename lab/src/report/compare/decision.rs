@@ -1,5 +1,7 @@
 //! From a claim's numbers to its verdict.
 
+use triquad::counted::counted;
+
 use super::evidence::Evidence;
 use crate::report::claims::{Cause, Claim, ClaimKind, Finding, MeshNumber, Need};
 use crate::report::summary::Summary;
@@ -88,8 +90,9 @@ fn decide_test(claim: &Claim, ours: &Evidence, printed: &[MeshNumber], test: &Fi
     let is_noise = share > MOST_DISAGREEING;
     let decision = |verdict, reason: String| Decision { verdict, reason };
     if !is_whole && (!is_refuted || is_noise) {
-        let (judged, all) = (ours.points.len(), claim.mesh_names().len());
-        return decision(Verdict::NotComparable, format!("only {judged} of {all} meshes"));
+        let judged = ours.points.len();
+        let all = counted(claim.mesh_names().len(), "mesh", "meshes");
+        return decision(Verdict::NotComparable, format!("only {judged} of {all}"));
     }
     if is_noise {
         let word = if test.holds { "holds" } else { "does not hold" };

@@ -1,6 +1,7 @@
 //! The findings, in five sentences at most, each with a link to its evidence.
 
 use serde::Serialize;
+use triquad::counted::counted;
 
 use super::lrs_against_ps::LrsAgainstPs;
 use super::parts::Parts;
@@ -94,16 +95,16 @@ fn reductions(parts: &Parts) -> Option<String> {
         let ratios = numbers(parts, TableKind::Ratios, column);
         let faster = ratios.iter().filter(|(ours, _)| *ours > 1.0).count();
         let all = ratios.len();
-        (all > 0).then(|| format!("than {other} on {faster} of {all} boxes"))
+        (all > 0).then(|| format!("than {other} on {faster} of {}", counted(all, "box", "boxes")))
     };
     let visited = visited(parts);
     let fewer = |other: usize| visited.iter().filter(|row| row[0] < row[other]).count();
     let cost = (!visited.is_empty()).then(|| {
         format!(
-            "visits fewer link vertices than S on {} and than BF on {} of {} boxes",
+            "visits fewer link vertices than S on {} and than BF on {} of {}",
             fewer(1),
             fewer(2),
-            visited.len()
+            counted(visited.len(), "box", "boxes")
         )
     });
     let times = [("S", "schipper_to_rs_seconds"), ("BF", "brute_force_to_rs_seconds")];

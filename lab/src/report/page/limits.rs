@@ -1,8 +1,9 @@
 //! Notes before reading, and limits of what can be concluded.
 
+use triquad::counted::counted;
+
 use super::parts::Parts;
 use super::topic::Topic;
-use crate::counted::counted;
 use crate::report::notes::Note;
 use crate::report::summary::{Cell, Summary};
 

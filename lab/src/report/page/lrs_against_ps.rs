@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use triquad::augmentation::Augmentation;
+use triquad::counted::counted;
 use triquad::pairing::{Algorithm, Expansion};
 
 use super::parts::Parts;
@@ -131,8 +132,9 @@ fn answer(both: &[&Duel]) -> String {
         (before, kept) if kept == before => "Yes: LRS still beats PS where it did.",
         _ => "On some meshes only.",
     };
+    let meshes = counted(all, "mesh", "meshes");
     let text = format!(
-        "{short} With the augmentation as published LRS is faster on {before} of {all} meshes; \
+        "{short} With the augmentation as published LRS is faster on {before} of {meshes}; \
          with ours it is faster on {kept} of these, and on {after} of all {all}."
     );
     let rebuilt = || both.iter().filter(|duel| duel.rebuild.is_some());

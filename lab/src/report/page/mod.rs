@@ -18,13 +18,13 @@ mod verdicts;
 use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
+use triquad::counted::counted;
 
 pub use parts::{Parts, PictureFile};
 
 use topic::Topic;
 
 use super::plots::Plot;
-use crate::counted::counted;
 
 /// Content of the template.
 #[derive(Serialize)]

@@ -3,6 +3,7 @@
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use serde::Serialize;
+use triquad::counted::counted;
 use triquad_generators::box_mesh::PaperBox;
 
 use super::parts::PictureFile;
@@ -52,9 +53,12 @@ fn words(shown: &PictureRecord) -> (String, String) {
     };
     let alt = format!("{close}quad mesh made by {name} of {mesh}");
     let caption = format!(
-        "{close}{name} on {mesh}: {} quads. Blue and wide: {} of {} edges are not in the input \
-         (flipped). Orange: {} quads of scaled Jacobian below {POOR}, the stronger the worse.",
-        shown.quads, shown.flipped_edges, shown.edges, shown.poor_quads
+        "{close}{name} on {mesh}: {}. Blue and wide: {} of {} edges are not in the input \
+         (flipped). Orange: {} of scaled Jacobian below {POOR}, the stronger the worse.",
+        counted(shown.quads, "quad", "quads"),
+        shown.flipped_edges,
+        shown.edges,
+        counted(shown.poor_quads, "quad", "quads")
     );
     (alt, caption)
 }
