@@ -6,14 +6,14 @@ use serde::Serialize;
 use triquad::counted::{counted, listed};
 use triquad::pairing::Proof;
 use triquad::quadrangulation::quality::Quality;
-use triquad::quadrangulation::{MixedFaces, SharpEdges, check_mixed};
+use triquad::quadrangulation::{FaceFault, MixedFaces, SharpEdges, check_mixed};
 use triquad::triangulation::{Surface, Triangulation};
 use triquad::{
     CheckError, CheckReport, DualGraph, Matching, Mesh, check, check_retriangulation, common_edges,
 };
 
 use crate::failure::Failure;
-use crate::input::{self, Built, Repairs};
+use crate::input::{self, Built, Fate, Repairs};
 use crate::progress::StatusLine;
 use crate::targets::{Paths, Targets};
 use crate::{aims, certificate};
@@ -48,7 +48,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// The costs, one integer an edge, if the certificate is about a file of costs
-    #[arg(long, value_name = "FILE", requires = "certificate")]
+    #[arg(long, value_name = "FILE")]
     cost: Option<PathBuf>,
     /// Write counts and the shape of the quads as JSON to FILE, '-' for standard output
     #[arg(long, value_name = "FILE")]
@@ -85,6 +85,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if inputs.into_iter().flatten().filter(|path| path.as_os_str() == "-").count() > 1 {
         let problem = "standard input can be one of the meshes only; give the others as files";
         return Err(Failure::bad(format!("-: {problem}")));
+    }
+    if let (Some(costs), None) = (&arguments.cost, &arguments.certificate) {
+        let remedy = "give --certificate FILE, too, or leave it out";
+        let costs = costs.display();
+        return Err(Failure::bad(format!("--cost {costs}: belongs to a certificate; {remedy}")));
     }
     let status = StatusLine::new("reading the meshes");
     let paths = Paths { stats: arguments.stats.as_deref(), ..Paths::of(&arguments.quads) };
@@ -124,7 +129,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         _ => None,
     };
     drop(status);
-    targets.finish_without_mesh(&stats, &[], &(describe(arguments, &report) + &shared + &proof))
+    targets.finish_without_mesh(
+        &stats,
+        &Fate::default(),
+        &(describe(arguments, &report) + &shared + &proof),
+    )
 }
 
 impl Stats {
@@ -219,16 +228,16 @@ fn failure(
     triangles: &Mesh,
     mismatch: &CheckError,
 ) -> Failure {
-    let is_triangle = |face: usize| quads.faces().get(face).is_some_and(|face| face.len() == 3);
     let remedy = match (mismatch, surface) {
         // On other vertices, QUADS was not made from TRIANGLES, and --open not meant.
         (CheckError::VertexCount { .. } | CheckError::Moved(_), Built::Open(_, survey))
             if !arguments.open =>
         {
             let remedy = Some("--open allows it");
-            return input::refusal(&arguments.against, None, survey, arguments.repairs, remedy);
+            let Arguments { against, repairs, .. } = arguments;
+            return input::refusal(against, Some(triangles), survey, *repairs, remedy);
         }
-        (CheckError::NotAQuad(face), _) if is_triangle(*face) => {
+        (CheckError::NotAQuad(_, FaceFault::Corners(3)), _) => {
             "; --open allows triangles that are left over".into()
         }
         (CheckError::Moved(v), _) => displacement(*v, quads, triangles),

@@ -8,7 +8,7 @@ use triquad_lab::report::baseline::{self, BaselineTable};
 use triquad_lab::report::{self as lab_report, Judged, Summary, Verdict, compare};
 
 use crate::failure::Failure;
-use crate::{report, stdio};
+use crate::{report, shell, stdio};
 
 /// Judge every claim of the two papers on the records of a results folder
 ///
@@ -45,9 +45,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn print_verdicts(folder: &Path, summary: &Summary) -> Result<(), Failure> {
     let comparison = compare::judge(summary);
     if !comparison.says_anything() {
+        let why = match comparison.nearest() {
+            Some(Judged { id, lacks, .. }) => format!("the nearest, {id}, lacks {lacks}"),
+            None => "they need the papers' algorithms on the papers' meshes".into(),
+        };
+        let file = folder.join("compare.csv");
+        let file = match file.exists() {
+            true => format!("see {}", file.display()),
+            false => format!("'triquad report {}' writes all reasons", shell::word(folder)),
+        };
         return stdio::say(&format!(
-            "{}: none of the {} claims of the papers can be judged: they need the papers' \
-             algorithms on the papers' meshes; compare.csv of 'triquad report' has the reasons",
+            "{}: none of the {} claims of the papers can be judged: {why}; {file}",
             folder.display(),
             comparison.verdicts.len()
         ));
@@ -76,32 +84,35 @@ fn line(judged: &Judged, width: usize) -> String {
 }
 
 fn print_baseline(folder: &Path, summary: &Summary, with: &Path) -> Result<(), Failure> {
-    let tables = if with.as_os_str() == "paper" {
+    let compared = if with.as_os_str() == "paper" {
         baseline::against_paper(summary)
     } else {
         let theirs: Results = report::read(with)?;
         baseline::against(summary, &Summary::new(&theirs))
     };
+    let (folder_name, with) = (folder.display(), with.display());
+    let tables = &compared.tables;
     if tables.is_empty() {
         return Err(Failure::bad(format!(
-            "{}: no number stands in the same place of a table of {}; the two share no mesh with \
-             the same algorithm",
-            folder.display(),
-            with.display()
+            "{folder_name}: no number can be compared with {with}: {}",
+            compared.why_none
         )));
     }
-    let written = lab_report::write_baseline(folder, &tables)
+    let written = lab_report::write_baseline(folder, tables)
         .map_err(|error| Failure::bad(error.to_string()))?;
-    for table in &tables {
+    for table in tables {
         print_table(table)?;
     }
     let numbers: usize = tables.iter().map(|table| table.rows.len()).sum();
+    if let Some(meshes) = compared.left_out() {
+        let what = "numbers that depend on size are left out";
+        stdio::say(&format!("{folder_name}: {what}: {meshes}"))?;
+    }
     stdio::say(&format!(
-        "{}: {} of {}, ours divided by those of {}",
+        "{}: {} of {}, ours divided by those of {with}",
         written.display(),
         counted(numbers, "number", "numbers"),
         counted(tables.len(), "table", "tables"),
-        with.display()
     ))
 }
 

@@ -11,7 +11,7 @@ use triquad::{Algorithm, Augmentation, ConvertError, Converter, Expansion, Mesh,
 use crate::aims::{AimOptions, ReadAims};
 use crate::failure::Failure;
 use crate::formats::{may_write, reads};
-use crate::input::{self, Repairs};
+use crate::input::{self, Fate, Repairs};
 use crate::names::one_of;
 use crate::progress::StatusLine;
 use crate::several::Several;
@@ -71,14 +71,6 @@ pub struct Arguments {
     repairs: Repairs,
     #[arg(long, help = open_surfaces())]
     open: bool,
-    #[command(flatten)]
-    aims: AimOptions,
-    /// Write the proof that the pairing is the best, for check --certificate. For best
-    #[arg(long, value_name = "FILE")]
-    certificate: Option<PathBuf>,
-    /// Write the edges to keep that were given up: two vertex numbers a line
-    #[arg(long, value_name = "FILE")]
-    given_up: Option<PathBuf>,
     /// Print a table of all algorithms with the quality and the time of each; write no mesh
     #[arg(long, conflicts_with_all = [
         "output", "stats", "write_triangulation", "certificate", "given_up", "stop_after_paths",
@@ -87,6 +79,15 @@ pub struct Arguments {
     compare: bool,
     #[command(flatten)]
     several: Several,
+    // Last: the options after it stand under its heading.
+    #[command(flatten)]
+    aims: AimOptions,
+    /// Write the proof that the pairing is the best, for check --certificate. For best
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+    /// Write the edges to keep that were given up: two vertex numbers a line
+    #[arg(long, value_name = "FILE")]
+    given_up: Option<PathBuf>,
 }
 
 /// Help of `--algorithm`.
@@ -123,6 +124,20 @@ impl Arguments {
             .orient(self.repairs.orient)
             .open(self.open)
             .progress(progress)
+    }
+
+    /// Returns the first given option that takes one mesh only.
+    fn alone(&self) -> Option<&'static str> {
+        let options = [
+            ("-o", self.output.is_some()),
+            ("--stats", self.stats.is_some()),
+            ("--write-triangulation", self.write_triangulation.is_some()),
+            ("--stop-after-paths", self.stop_after_paths.is_some()),
+            ("--certificate", self.certificate.is_some()),
+            ("--given-up", self.given_up.is_some()),
+            ("--compare", self.compare),
+        ];
+        options.into_iter().find(|&(_, is_given)| is_given).map(|(option, _)| option)
     }
 
     /// Refuses options that mean nothing together.
@@ -163,7 +178,7 @@ struct Stats<'a> {
 /// Converts one mesh, or several.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { input, output, several, .. } = arguments;
-    several.each(input, output.as_deref(), |input, output| {
+    several.each(input, output.as_deref(), arguments.alone(), |input, output| {
         let (input, output) = (input.to_owned(), output.map(Path::to_owned));
         convert(&Arguments { input, output, ..arguments.clone() })
     })
@@ -211,7 +226,7 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         Err(ConvertError::Stopped(report)) => {
             drop(status);
             let stats = stats(&report, 0.0, &[]);
-            return targets.finish_without_mesh(&stats, &[], &report.to_string());
+            return targets.finish_without_mesh(&stats, &Fate::default(), &report.to_string());
         }
         Err(error) => {
             return Err(conversion_failure(arguments, &aims, &error, None));
@@ -225,9 +240,9 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     }
     targets.write_given_up(quads.given_up())?;
     let report = quads.report().clone();
-    let (mut left_out, mut losses) = (quads.mesh().left_out().to_vec(), quads.losses().notes());
+    let (mut fate, mut losses) = (Fate::of(quads.mesh()), quads.losses().notes());
     if targets.drops_attributes() {
-        left_out = input::left_out_of_faces(quads.mesh());
+        fate = Fate::of_faces(quads.mesh());
         losses.clear();
     }
     if arguments.write_triangulation.is_some() {
@@ -235,13 +250,13 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         targets.write_triangles(&quads.into_triangle_mesh())?;
     }
     drop(status);
-    let all_left_out = [&left_out[..], &losses].concat();
+    let all_left_out = [fate.all(), losses.clone()].concat();
     let stats = stats(&report, write_seconds, &all_left_out);
     let mut summary = report.to_string();
     if !losses.is_empty() {
         summary = format!("{summary}; lost: {}", losses.join(", "));
     }
-    targets.finish(&stats, &left_out, &summary)
+    targets.finish(&stats, &fate, &summary)
 }
 
 /// Converts by every algorithm and prints a table.

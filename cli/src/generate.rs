@@ -6,15 +6,16 @@ use clap::{Args, Subcommand};
 use triquad::clock::{Clock, SystemClock};
 use triquad::counted::counted;
 use triquad::mesh::Output;
-use triquad::simplify::Shape;
-use triquad_lab::meshes::paper::{self, PaperMesh, Scale};
+use triquad::simplify::{Shape, SimplifyError};
+use triquad_lab::meshes::paper::{PaperMesh, Scale};
 use triquad_lab::meshes::{
-    BoxShape, Cache, GenerateError, ImpossiblePaperBoxError, PaperBox, Recipe, Walls,
+    BoxShape, Cache, GenerateError, ImpossibleBoxError, ImpossiblePaperBoxError, PaperBox, Recipe,
+    Walls,
 };
 
 use crate::failure::Failure;
 use crate::formats::writes;
-use crate::names::one_of;
+use crate::names::{MeshOfPapers, one_of};
 use crate::progress::StatusLine;
 use crate::{input, stdio};
 
@@ -55,9 +56,9 @@ struct BoxArguments {
     /// Shafts that go through: the genus
     #[arg(long, value_name = "H", default_value_t = 0)]
     holes: u32,
-    /// No effect: nothing about a box is random
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    seed: u64,
+    // Scripts may give all generators a seed.
+    #[arg(long, value_name = "N", hide = true)]
+    seed: Option<u64>,
     #[command(flatten)]
     target: Target,
 }
@@ -86,9 +87,9 @@ struct PaperBoxArguments {
     #[arg(long, default_value = "alternating", value_name = "NAME")]
     #[arg(value_parser = one_of(Walls::ALL, Walls::id))]
     walls: Walls,
-    /// Seed of --walls drawn; the same seed gives the same bytes
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    seed: u64,
+    /// Seed of --walls drawn; the same seed gives the same bytes [default: 0]
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
     #[command(flatten)]
     target: Target,
 }
@@ -125,7 +126,7 @@ struct StandInArguments {
 #[command(after_help = "Example: triquad generate paper ir-B4 -o ir-b4.ply")]
 struct PaperArguments {
     /// The mesh
-    #[arg(value_name = "NAME", value_parser = one_of(paper::ALL, |mesh| mesh.name))]
+    #[arg(value_name = "NAME", value_parser = MeshOfPapers)]
     mesh: PaperMesh,
     /// Size: full, small (a twentieth) or demo (a hundredth)
     #[arg(long, default_value = "full", value_name = "SCALE")]
@@ -155,13 +156,24 @@ pub struct CacheOption {
 /// Makes the mesh and writes it.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (recipe, genus, target, cache) = match &arguments.mesh {
-        MeshCommand::Box(BoxArguments { vertices, cavities, holes, target, .. }) => {
+        MeshCommand::Box(BoxArguments { vertices, cavities, holes, seed, target }) => {
+            if seed.is_some() {
+                stdio::note("note: --seed has no effect: nothing about a box is random");
+            }
             let shape = BoxShape { cavities: *cavities, holes: *holes, vertices: *vertices };
             (Recipe::Box(shape), *holes, target, None)
         }
         MeshCommand::PaperBox(PaperBoxArguments { shafts, depth, holes, walls, seed, target }) => {
             let shape = PaperBox { shafts: *shafts, depth: *depth, holes: *holes };
-            (Recipe::PaperBox { shape, walls: *walls, seed: *seed }, *holes, target, None)
+            if seed.is_some() && *walls != Walls::Drawn {
+                stdio::note("note: --seed has no effect without --walls drawn");
+            }
+            (
+                Recipe::PaperBox { shape, walls: *walls, seed: seed.unwrap_or(0) },
+                *holes,
+                target,
+                None,
+            )
         }
         MeshCommand::StandIn(StandInArguments { vertices, genus, seed, target, cache }) => {
             let recipe = Recipe::StandIn { vertices: *vertices, genus: *genus, seed: *seed };
@@ -223,8 +235,41 @@ fn make(recipe: &Recipe, genus: u32, path: &Path, cache: Option<Cache>) -> Resul
 }
 
 fn failure(recipe: &Recipe, error: &GenerateError) -> Failure {
+    let wanted = match recipe {
+        Recipe::Box(_) => "a box",
+        Recipe::PaperBox { .. } | Recipe::SimplifiedBox { .. } => "a box of the papers' kind",
+        Recipe::StandIn { .. } => "a stand-in",
+        Recipe::StarredBipyramid { .. } => "a bipyramid",
+    };
+    let from = |least: u64| format!("ask for {least} or more");
     let remedy = match error {
-        GenerateError::Box(_) => "ask for another number of vertices",
+        GenerateError::Box(ImpossibleBoxError::TooFewVertices { minimum, .. }) => from(*minimum),
+        GenerateError::Simplify(SimplifyError::Irreducible { reached, .. }) => {
+            possible(recipe, *reached).map_or("ask for more vertices".into(), from)
+        }
+        error => general_remedy(error).into(),
+    };
+    Failure::bad(format!("{wanted}: {error}; {remedy}"))
+}
+
+/// Returns a number of vertices, `reached` or not much more, with which the stand-in can be made.
+/// Each number has draws of its own, so that this takes trials.
+fn possible(recipe: &Recipe, reached: usize) -> Option<u64> {
+    const TRIALS: usize = 8;
+    let Recipe::StandIn { genus, seed, .. } = *recipe else { return None };
+    let mut vertices = u32::try_from(reached).ok()?;
+    for _ in 0..TRIALS {
+        match (Recipe::StandIn { vertices, genus, seed }).make() {
+            Ok(_) => return Some(vertices.into()),
+            Err(_) => vertices += 1 + vertices / 16,
+        }
+    }
+    None
+}
+
+fn general_remedy(error: &GenerateError) -> &'static str {
+    match error {
+        GenerateError::Box(_) => "ask for fewer vertices",
         GenerateError::PaperBox(ImpossiblePaperBoxError::NoDepth) => "ask for a depth of 1 or more",
         GenerateError::PaperBox(ImpossiblePaperBoxError::TooManyHoles { .. }) => {
             "ask for fewer holes or more shafts"
@@ -234,6 +279,5 @@ fn failure(recipe: &Recipe, error: &GenerateError) -> Failure {
         GenerateError::Simplify(_) => "ask for more vertices",
         GenerateError::Cache { .. } => "check its permissions, or name another folder with --cache",
         _ => "ask for another mesh",
-    };
-    Failure::bad(format!("{}: {error}; {remedy}", recipe.key()))
+    }
 }

@@ -1,5 +1,6 @@
 //! `triquad import`.
 
+use std::collections::HashSet;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
@@ -73,8 +74,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let cells = imported.planned().len();
     let (rows, rounded) = (imported.records.len(), imported.rounded);
     let renamed = imported.renamed.map(|(from, to)| format!("; {from} taken as {to}"));
+    let meshes = imported.renamed_meshes;
     let task = imported.records.first().map_or("", |record| record.id.job.task().id());
+    let earlier = journal.results().records.iter().map(|record| record.key.clone());
+    let mut keys: HashSet<String> = earlier.collect();
+    let mut replaced = 0;
     for record in imported.records {
+        replaced += usize::from(!keys.insert(record.key.clone()));
         journal.append(record).map_err(failure)?;
     }
     if rounded > 0 {
@@ -85,13 +91,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         );
         stdio::complain(&format!("{}: {counts}; give a row a run", arguments.file.display()));
     }
+    for (given, taken) in meshes {
+        let file = arguments.file.display();
+        let why = "the boxes of the paper on irreducible triangulations are called so";
+        stdio::note(&format!("{file}: note: {given} is taken as {taken}: {why}"));
+    }
+    let replaced = match replaced {
+        0 => String::new(),
+        rows => format!(
+            "; {}",
+            counted(rows, "row replaces an earlier one", "rows replace earlier ones")
+        ),
+    };
     for part in &imported.missing_parts {
         let note = without_total(part);
         stdio::complain(&format!("{}: {note}", arguments.file.display()));
     }
     let written = report::write(out, journal.results())?;
     stdio::say(&format!(
-        "{}: {} of {} ({task}) on {} taken in{}",
+        "{}: {} of {} ({task}) on {} taken in{}{replaced}",
         written.page.as_deref().unwrap_or(out).display(),
         counted(rows, "run", "runs"),
         arguments.algorithm,

@@ -9,7 +9,7 @@ use triquad::{Law, Mesh, Survey, Triangulation, Violation};
 
 use crate::failure::Failure;
 use crate::formats::reads;
-use crate::input::Repairs;
+use crate::input::{Fate, Repairs};
 use crate::progress::StatusLine;
 use crate::remedies::Refused;
 use crate::{input, shell, stdio};
@@ -40,6 +40,9 @@ struct Info {
     quads: usize,
     euler_characteristic: i64,
     genus: Option<usize>,
+    /// Handles of the two-sided components, where they are surfaces with holes or without.
+    #[serde(skip)]
+    handles: Option<usize>,
     non_orientable_genus: Option<usize>,
     components: usize,
     boundary_loops: usize,
@@ -53,6 +56,9 @@ struct Info {
     convert_options: Option<String>,
     violations: Vec<Broken>,
     left_out: Vec<String>,
+    /// Those of `left_out` that options have changed.
+    #[serde(skip)]
+    repairs: Vec<String>,
 }
 
 /// A broken law with its remedy.
@@ -112,7 +118,9 @@ impl Info {
             }
         };
         info.quads = mesh.faces().iter().filter(|face| face.len() == 4).count();
-        info.left_out = mesh.left_out().to_vec();
+        let fate = Fate::of(mesh);
+        info.left_out = fate.all();
+        info.repairs = fate.repairs;
         info
     }
 
@@ -128,6 +136,7 @@ impl Info {
             quads: 0,
             euler_characteristic: triangulation.euler_characteristic(),
             genus: Some(triangulation.genus()),
+            handles: Some(triangulation.genus()),
             non_orientable_genus: None,
             components: triangulation.component_count(),
             boundary_loops: 0,
@@ -138,6 +147,7 @@ impl Info {
             convert_options: None,
             violations: Vec::new(),
             left_out: Vec::new(),
+            repairs: Vec::new(),
         }
     }
 
@@ -155,6 +165,7 @@ impl Info {
             quads: 0,
             euler_characteristic: survey.euler_characteristic,
             genus: survey.genus(),
+            handles: survey.handles,
             non_orientable_genus: survey.non_orientable_genus(),
             components: survey.components,
             boundary_loops: survey.boundary_loops,
@@ -165,6 +176,7 @@ impl Info {
             convert_options: refused.options(survey).map(|way| way.to_string()),
             violations: survey.violations.iter().map(broken).collect(),
             left_out: Vec::new(),
+            repairs: Vec::new(),
         }
     }
 }
@@ -184,7 +196,13 @@ impl Broken {
 
 /// Writes a line a count, then two lines a broken law.
 fn describe(info: &Info) -> String {
-    let genus = info.genus.map(|genus| genus.to_string());
+    // As convert --open has it: holes count as filled, one-sided components apart.
+    let genus = match (info.handles, info.boundary_loops) {
+        (Some(handles), 0) => handles.to_string(),
+        (Some(handles), 1) => format!("{handles} with its hole filled"),
+        (Some(handles), _) => format!("{handles} with its holes filled"),
+        (None, _) => "none (the faces are no surface)".into(),
+    };
     let yes_no = |yes| String::from(if yes { "yes" } else { "no" });
     let cross_caps = info.non_orientable_genus.map(|genus| genus.to_string());
     let closed = match info.welding_distance {
@@ -198,7 +216,7 @@ fn describe(info: &Info) -> String {
         ("edges", info.edges.to_string()),
         ("faces", format!("{} ({})", info.faces, kinds_of_faces(info))),
         ("Euler characteristic", info.euler_characteristic.to_string()),
-        ("genus", genus.unwrap_or("none (not a closed, two-sided surface)".into())),
+        ("genus", genus),
         ("non-orientable genus", cross_caps.unwrap_or_default()),
         ("components", info.components.to_string()),
         ("boundary loops", info.boundary_loops.to_string()),
@@ -209,7 +227,11 @@ fn describe(info: &Info) -> String {
     for (name, value) in rows.into_iter().filter(|(_, value)| !value.is_empty()) {
         let _ = write!(text, "\n  {name:<21}  {value}");
     }
-    for what in &info.left_out {
+    let not_read = &info.left_out[..info.left_out.len() - info.repairs.len()];
+    for what in &info.repairs {
+        let _ = write!(text, "\n  {:<21}  {what}", "repaired");
+    }
+    for what in not_read {
         let _ = write!(text, "\n  {:<21}  {}", "not read", stdio::one_line(what));
     }
     for Broken { law, remedy, message, .. } in &info.violations {

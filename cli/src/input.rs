@@ -91,8 +91,47 @@ pub fn read_text(path: &Path) -> Result<String, Failure> {
     })
 }
 
+/// What became of the content of a file, in words.
+#[derive(Default)]
+pub struct Fate {
+    /// What is not carried over.
+    pub left_out: Vec<String>,
+    /// What options have changed, each with its name.
+    pub repairs: Vec<String>,
+}
+
+impl Fate {
+    /// Returns what a mesh that was read and repaired has come to.
+    pub fn of(mesh: &Mesh) -> Self {
+        let by_option = |deed: &String| format!("--{deed}");
+        let repairs = mesh.repairs().iter().map(by_option).collect();
+        Self { left_out: mesh.left_out().to_vec(), repairs }
+    }
+
+    /// Returns the same for a result of positions and faces alone.
+    pub fn of_faces(mesh: &Mesh) -> Self {
+        let mut fate = Self::of(mesh);
+        let names = mesh.attributes().map(Attributes::names).unwrap_or_default();
+        fate.left_out.extend(names.into_iter().map(String::from));
+        fate
+    }
+
+    /// Returns all of it, as `--stats` has it.
+    pub fn all(&self) -> Vec<String> {
+        [&self.left_out[..], &self.repairs].concat()
+    }
+
+    /// Prints it on standard error.
+    pub fn tell(&self, path: &Path) {
+        tell_left_out(path, &self.left_out);
+        if !self.repairs.is_empty() {
+            stdio::note(&format!("{}: note: {}", path.display(), self.repairs.join(", ")));
+        }
+    }
+}
+
 /// Prints on standard error the content of the file that is not carried over.
-pub fn tell_left_out(path: &Path, left_out: &[String]) {
+fn tell_left_out(path: &Path, left_out: &[String]) {
     /// Of more kinds only the number is told.
     const SHOWN: usize = 20;
     let mut shown = left_out[..left_out.len().min(SHOWN)].to_vec();
@@ -103,12 +142,6 @@ pub fn tell_left_out(path: &Path, left_out: &[String]) {
         let what = shown.join(", ");
         stdio::note(&format!("{}: note: not carried over: {what}", path.display()));
     }
-}
-
-/// Returns the content of `mesh` that a result of positions and faces alone leaves out.
-pub fn left_out_of_faces(mesh: &Mesh) -> Vec<String> {
-    let names = mesh.attributes().map(Attributes::names).unwrap_or_default();
-    mesh.left_out().iter().cloned().chain(names.into_iter().map(String::from)).collect()
 }
 
 /// Reads a mesh that must be a triangulation of closed surfaces, after its repairs.

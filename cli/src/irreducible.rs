@@ -110,7 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         check_seconds,
         peak_memory_bytes: machine::peak_memory_bytes(),
     };
-    opened.targets.finish(&stats, &opened.left_out, &summary(&stats))
+    opened.targets.finish(&stats, &opened.fate, &summary(&stats))
 }
 
 fn summary(stats: &Stats) -> String {

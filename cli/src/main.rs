@@ -62,6 +62,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;
 use formats::FORMATS;
+use triquad_lab::nearest::likely;
 
 #[cfg(target_os = "linux")]
 #[global_allocator]
@@ -240,6 +241,22 @@ fn command_of(arguments: impl Iterator<Item = OsString>) -> String {
     words.join(" ")
 }
 
+/// Verbs of other programs, and ours.
+const SYNONYMS_OF_VERBS: [(&str, &str); 8] = [
+    ("render", "draw"),
+    ("view", "draw"),
+    ("show", "draw"),
+    ("verify", "check"),
+    ("validate", "check"),
+    ("decimate", "simplify"),
+    ("reduce", "simplify"),
+    ("quadrangulate", "convert"),
+];
+
+/// Names of algorithms elsewhere, and those of ours that do the same or follow them.
+const SYNONYMS_OF_VALUES: [(&str, &str); 4] =
+    [("blossom", "best"), ("blossom-quad", "best"), ("greedy", "sg"), ("pulli-segal", "ps")];
+
 /// Returns what was meant, if that can be guessed.
 fn suggestion(error: &clap::Error) -> Option<String> {
     let first = |kind| match error.get(kind) {
@@ -253,6 +270,25 @@ fn suggestion(error: &clap::Error) -> Option<String> {
     {
         let file = shell::word(Path::new(file));
         return Some(format!("did you mean 'triquad convert {file}'?"));
+    }
+    let verb = first(ContextKind::InvalidSubcommand);
+    let value = first(ContextKind::InvalidValue);
+    let synonym = |word: Option<&str>, synonyms: &[(&str, &'static str)]| {
+        let word = word?.to_lowercase();
+        synonyms.iter().find(|(other, _)| *other == word).map(|&(_, meant)| meant)
+    };
+    let meant = synonym(verb, &SYNONYMS_OF_VERBS).map(str::to_owned);
+    let meant = meant.or_else(|| {
+        let Some(ContextValue::Strings(known)) = error.get(ContextKind::ValidValue) else {
+            return None;
+        };
+        let synonym = synonym(value, &SYNONYMS_OF_VALUES);
+        let synonym = synonym.filter(|meant| known.iter().any(|name| name == meant));
+        let near = || likely(value?, known.iter().map(String::as_str));
+        synonym.or_else(near).map(str::to_owned)
+    });
+    if let Some(meant) = meant {
+        return Some(format!("did you mean '{meant}'?"));
     }
     let similar =
         [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue];

@@ -8,7 +8,7 @@ use triquad::clock::{Clock, SystemClock};
 use triquad::{Mesh, Size, Triangulation};
 
 use crate::failure::Failure;
-use crate::input::{self, Repairs};
+use crate::input::{self, Fate, Repairs};
 use crate::progress::StatusLine;
 use crate::targets::{Paths, Targets};
 
@@ -31,8 +31,7 @@ pub struct Opened<'a> {
     pub size: Size,
     pub read_seconds: f64,
     pub build_seconds: f64,
-    /// Content of the input that the result does not carry over.
-    pub left_out: Vec<String>,
+    pub fate: Fate,
 }
 
 /// Counts of the input and of the result.
@@ -64,7 +63,7 @@ impl<'a> Opened<'a> {
         let triangulation = built?;
         Ok(Self {
             size: Size::from(&triangulation),
-            left_out: input::left_out_of_faces(&mesh),
+            fate: Fate::of_faces(&mesh),
             status,
             targets,
             mesh,

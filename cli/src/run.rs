@@ -18,6 +18,7 @@ use triquad_lab::experiment::run::{OpenRuns, RunObserver, Runner};
 use triquad_lab::pictures::{self, DrawError};
 use triquad_lab::report::{self as lab_report, Extent};
 
+use crate::bad_runs::Alike;
 use crate::experiments::{Selection, duration, no_estimate};
 use crate::failure::Failure;
 use crate::{bad_runs, generate, input, interrupt, own_program, report, results_folder, stdio};
@@ -142,8 +143,10 @@ struct RunView<'a> {
     written: Mutex<Written>,
     /// Reasons for which runs were skipped.
     said: Mutex<HashSet<String>>,
-    /// Keys of runs that did not end well and were named at once.
+    /// Keys of runs that did not end well and were named at once, or counted with one that was.
     named: Mutex<HashSet<String>>,
+    /// Runs that did not end well, those alike together.
+    bad: Mutex<Alike>,
 }
 
 /// Times of the last writing of tables and page.
@@ -160,6 +163,10 @@ const PAGE_EVERY: Duration = Duration::from_secs(60);
 /// Estimated seconds beside measured ones.
 #[derive(Default)]
 struct Pace {
+    /// Runs that were to be done.
+    runs: usize,
+    /// Those of them that are done.
+    done: usize,
     /// Estimate of the runs that are left, without external programs.
     left: f64,
     /// Runs of external programs that are left.
@@ -173,6 +180,7 @@ struct Pace {
 impl Pace {
     /// Counts a finished run.
     fn count(&mut self, record: &RunRecord, estimate: Option<f64>) {
+        self.done += 1;
         let Some(estimate) = estimate else {
             self.external -= 1;
             return;
@@ -180,7 +188,7 @@ impl Pace {
         self.left -= estimate;
         if record.outcome != Outcome::Skipped {
             self.estimated += estimate;
-            self.taken += record.process_seconds;
+            self.taken += record.process_seconds.unwrap_or(0.0);
         }
     }
 
@@ -205,8 +213,8 @@ impl<'a> RunView<'a> {
         let bar = ProgressBar::no_length();
         interrupt::clear_on_interrupt(&bar);
         interrupt::advise("finished runs are kept, and the same command goes on from here");
-        let (said, named) = (Mutex::default(), Mutex::default());
-        Self { out, bar, pace: Mutex::default(), written, said, named }
+        let (said, named, bad) = (Mutex::default(), Mutex::default(), Mutex::default());
+        Self { out, bar, pace: Mutex::default(), written, said, named, bad }
     }
 
     /// Prints a line on standard error, above the bar if there is one.
@@ -226,6 +234,7 @@ impl<'a> RunView<'a> {
     fn finish(self, journal: &Journal) -> Result<(), Failure> {
         self.bar.finish_and_clear();
         let (out, results) = (self.out, journal.results());
+        lock(&self.bad).repeated().for_each(|line| stdio::complain(&line));
         if results.records.is_empty() {
             return stdio::say(&format!("{}: nothing was planned, nothing was run", out.display()));
         }
@@ -253,7 +262,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 impl RunObserver for RunView<'_> {
     fn begin(&self, open: OpenRuns) {
         let OpenRuns { runs, external, seconds } = open;
-        *self.pace() = Pace { left: seconds, external, ..Pace::default() };
+        *self.pace() = Pace { runs, left: seconds, external, ..Pace::default() };
         self.bar.set_length(runs as u64);
         let template = "{spinner} {pos} of {len} runs, {msg}";
         if let Ok(style) = ProgressStyle::with_template(template) {
@@ -279,10 +288,15 @@ impl RunObserver for RunView<'_> {
     fn finished(&self, record: &RunRecord, estimate: Option<f64>) {
         self.pace().count(record, estimate);
         self.bar.inc(1);
-        let is_new = || lock(&self.said).insert(record.reason.clone());
-        // The reason why a program is not installed is printed once.
-        if record.is_bad() || record.outcome == Outcome::Skipped && is_new() {
+        // The reason why a program is not installed, or fails alike in every run, is printed once.
+        let is_new = match record.outcome {
+            Outcome::Skipped => lock(&self.said).insert(record.reason.clone()),
+            _ => record.is_bad() && lock(&self.bad).add(record),
+        };
+        if is_new {
             self.say(&bad_runs::described(record));
+        }
+        if record.is_bad() {
             lock(&self.named).insert(record.key.clone());
         }
     }
@@ -303,9 +317,11 @@ impl RunObserver for RunView<'_> {
         report.map(|_| ()).map_err(io::Error::other)
     }
 
-    fn mesh_done(&self, mesh: &PlannedMesh, journal: &Journal) {
-        let left = self.pace().left_in_words();
-        let rows = counted(journal.results().records.len(), "row", "rows");
-        self.say(&format!("{} done: {rows}, {left}", mesh.name));
+    fn mesh_done(&self, mesh: &PlannedMesh) {
+        let pace = self.pace();
+        let (done, left) = (pace.done, pace.left_in_words());
+        let runs = counted(pace.runs, "run", "runs");
+        drop(pace);
+        self.say(&format!("{} done: {done} of {runs}, {left}", mesh.name));
     }
 }

@@ -7,13 +7,13 @@ use triquad::counted::counted;
 use triquad::mesh::Format;
 
 use crate::failure::Failure;
-use crate::{input, stdio};
+use crate::{input, shell, stdio};
 
 /// Options of a verb that takes several inputs.
 #[derive(clap::Args, Clone)]
 pub struct Several {
     /// More meshes, each converted by itself; a refused one does not stop the others
-    #[arg(value_name = "IN", requires = "out_dir")]
+    #[arg(value_name = "IN")]
     more: Vec<PathBuf>,
     /// Write each result into FOLDER, which is made if it is not there, under the name of its input
     #[arg(long, value_name = "FOLDER")]
@@ -24,22 +24,26 @@ pub struct Several {
     out_dir: Option<PathBuf>,
     /// The format in FOLDER: obj, ply or off, also with .gz; by default that of each input, and obj
     /// for stl
-    #[arg(long, value_name = "EXTENSION", requires = "out_dir")]
+    #[arg(long, value_name = "EXTENSION")]
     format: Option<String>,
 }
 
 impl Several {
     /// Calls `work` with each input and its output, `first` being the first input; with `output`
-    /// where there is no folder.
+    /// where there is no folder. `alone` names a given option that excludes a folder.
     ///
     /// Prints every failure. The last failure counts them, with the greatest of their exit codes.
     pub fn each(
         &self,
         first: &Path,
         output: Option<&Path>,
+        alone: Option<&str>,
         work: impl Fn(&Path, Option<&Path>) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
-        let Some(folder) = &self.out_dir else { return work(first, output) };
+        let Some(folder) = &self.out_dir else {
+            self.refuse_without_folder(first, alone)?;
+            return work(first, output);
+        };
         let inputs: Vec<&Path> =
             [first].into_iter().chain(self.more.iter().map(|p| &**p)).collect();
         let outputs = self.outputs(folder, &inputs)?;
@@ -57,6 +61,40 @@ impl Several {
         let were = if codes.len() == 1 { "was" } else { "were" };
         let message = format!("{} of {inputs} {were} not converted", codes.len());
         Err(Failure::with_code(code, message))
+    }
+
+    /// Refuses what needs a folder. The parser's `requires` would not: it requires nothing that
+    /// another given option excludes.
+    fn refuse_without_folder(&self, first: &Path, alone: Option<&str>) -> Result<(), Failure> {
+        let (path, given) = match (&self.more[..], &self.format) {
+            ([], None) => return Ok(()),
+            ([], Some(format)) => {
+                let problem = "names the format of results in a folder";
+                let remedy = match alone {
+                    Some("-o") => "the name after -o has its own; leave --format out",
+                    Some(_) => "leave it out",
+                    None => "give --out-dir FOLDER, too, or -o with a name that ends so",
+                };
+                return Err(Failure::bad(format!("--format {format}: {problem}; {remedy}")));
+            }
+            ([one], _) => (one, "a second mesh is given".to_owned()),
+            (more, _) => (&more[0], format!("{} meshes are given", 1 + more.len())),
+        };
+        let name = path.display();
+        let is_output = self.more.len() == 1
+            && alone != Some("-o")
+            && !path.exists()
+            && Format::from_path(path).is_ok_and(|format| format != Format::Stl);
+        if is_output {
+            let (first, word) = (shell::word(first), shell::word(path));
+            let remedy = format!("did you mean 'triquad convert {first} -o {word}'?");
+            return Err(Failure::bad(format!("{name}: there is no such mesh; {remedy}")));
+        }
+        let remedy = match alone {
+            Some(option) => format!("{option} takes one mesh only: call convert once for each"),
+            None => "several meshes need --out-dir FOLDER for their results".into(),
+        };
+        Err(Failure::bad(format!("{name}: {given}; {remedy}")))
     }
 
     /// Names the outputs. Refuses two of the same name.

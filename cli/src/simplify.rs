@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         write_seconds,
         peak_memory_bytes: machine::peak_memory_bytes(),
     };
-    opened.targets.finish(&stats, &opened.left_out, &summary(&stats))
+    opened.targets.finish(&stats, &opened.fate, &summary(&stats))
 }
 
 /// Simplifies to `vertices` vertices. Drops `mesh` early: only its positions are needed, at first.

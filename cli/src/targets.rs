@@ -8,6 +8,7 @@ use triquad::atomic_file::AtomicFile;
 use triquad::mesh::{Format, Mesh, Output, io_remedy};
 
 use crate::failure::Failure;
+use crate::input::Fate;
 use crate::{input, stdio};
 
 /// Names of the files to read and to write; `-` is standard input or output.
@@ -112,27 +113,22 @@ impl<'a> Targets<'a> {
 
     /// Writes the statistics, then prints what was not carried over and the summary. In this order
     /// a failure stays a single line.
-    pub fn finish(
-        self,
-        stats: &impl Serialize,
-        left_out: &[String],
-        summary: &str,
-    ) -> Result<(), Failure> {
+    pub fn finish(self, stats: &impl Serialize, fate: &Fate, summary: &str) -> Result<(), Failure> {
         let is_nothing = self.paths.output.is_none() && self.paths.triangles.is_none();
         let tail = if is_nothing { "; nothing written: no -o" } else { "" };
-        self.finish_without_mesh(stats, left_out, &format!("{summary}{tail}"))
+        self.finish_without_mesh(stats, fate, &format!("{summary}{tail}"))
     }
 
     /// Does the same where there is no mesh to be written.
     pub fn finish_without_mesh(
         mut self,
         stats: &impl Serialize,
-        left_out: &[String],
+        fate: &Fate,
         summary: &str,
     ) -> Result<(), Failure> {
         let Paths { input, output, .. } = self.paths;
         self.write_stats(stats)?;
-        input::tell_left_out(input, left_out);
+        fate.tell(input);
         let target = output.filter(|&path| !is_stdio(path));
         let target = target.map(|path| format!(" -> {}", path.display())).unwrap_or_default();
         self.report(&stdio::one_line(&format!("{}{target}: {summary}", input.display())))

@@ -3,7 +3,7 @@
 //! [`meshes`] makes the papers' meshes, [`experiment`] runs the algorithms on them and records each
 //! run, [`pictures`] draws the quads, [`report`] turns records into tables, verdicts, plots and a
 //! page, beside what [`paper`] has of the printed tables. [`algorithms`] holds what all of them
-//! need of each algorithm.
+//! need of each algorithm, [`nearest`] guesses names.
 //! Only public items of the library are used.
 
 pub mod algorithms;
@@ -11,7 +11,7 @@ mod csv_text;
 pub mod experiment;
 mod file_hash;
 pub mod meshes;
-mod nearest;
+pub mod nearest;
 pub mod paper;
 pub mod pictures;
 pub mod report;

@@ -6,11 +6,15 @@ use std::cmp::Reverse;
 /// where none shares any, the one that is but a slip away. `None` if none is near.
 ///
 /// Letters of either case are the same. Of several, the one with the fewest other words is taken,
-/// then the one that takes the fewest edits.
-pub(crate) fn likely<'n>(
-    name: &str,
-    known: impl IntoIterator<Item = &'n str> + Clone,
-) -> Option<&'n str> {
+/// then the one that takes the fewest edits. O(known · letters²).
+///
+/// ```
+/// use triquad_lab::nearest::likely;
+///
+/// assert_eq!(likely("Total Time", ["mesh", "total_seconds"]), Some("total_seconds"));
+/// assert_eq!(likely("BEST", ["best", "tq"]), Some("best"));
+/// ```
+pub fn likely<'n>(name: &str, known: impl IntoIterator<Item = &'n str> + Clone) -> Option<&'n str> {
     let words = words_of(name);
     let shared = |other: &str| {
         let others = words_of(other);
@@ -26,8 +30,12 @@ pub(crate) fn likely<'n>(
 }
 
 /// Returns the one of `known` that takes the fewest edits to become `name`, if at most a third of
-/// the letters of `name` are slips.
-pub(crate) fn slip_of<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+/// the letters of `name` are slips. O(known · letters²).
+///
+/// ```
+/// assert_eq!(triquad_lab::nearest::slip_of("botjo", ["botijo", "eros"]), Some("botijo"));
+/// ```
+pub fn slip_of<'n>(name: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     let nearest = known.into_iter().min_by_key(|other| edits(name, other))?;
     is_slip(name, nearest).then_some(nearest)
 }

@@ -205,10 +205,7 @@ pub fn sentence(violation: &Violation) -> String {
         [index] => format!("{kind} {index}"),
         _ => format!("{kind} {indices:?}"),
     };
-    let first_of = (violation.count > 1).then(|| format!("first of {}", violation.count));
-    let notes: Vec<String> = violation.faces_in_words(0).into_iter().chain(first_of).collect();
-    let notes = if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) };
-    format!("{subject} {}{notes}", violation.law.complaint())
+    format!("{subject} {}{}", violation.law.complaint(), violation.notes(0))
 }
 
 /// Returns the remedy, with options of this package where the library has a function.
@@ -230,9 +227,9 @@ fn place(mismatch: CheckError) -> (&'static str, PythonElement) {
     let vertex = |vertex: usize| ("vertex", vec![vertex as u64]);
     let edge = |a: u32, b: u32| ("edge", vec![a.into(), b.into()]);
     match mismatch {
-        E::BadTriangle(triangle) => ("bad-triangle", face(triangle)),
-        E::NotAQuad(quad) => ("not-a-quad", face(quad)),
-        E::NotATriangleOrQuad(quad) => ("not-a-triangle-or-quad", face(quad)),
+        E::BadTriangle(triangle, _) => ("bad-triangle", face(triangle)),
+        E::NotAQuad(quad, _) => ("not-a-quad", face(quad)),
+        E::NotATriangleOrQuad(quad, _) => ("not-a-triangle-or-quad", face(quad)),
         E::NotATriangle(left) => ("not-a-triangle", face(left)),
         E::Turned(quad) => ("turned", face(quad)),
         E::RepeatedCorner(quad) => ("repeated-corner", face(quad)),

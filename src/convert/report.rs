@@ -186,12 +186,16 @@ impl Report {
         }
         write!(
             f,
-            "{} left {} unpaired ({:.3} %), completed by {}",
+            "{} left {} unpaired ({:.3} %)",
             self.algorithm,
             self.unpaired_triangles,
             100.0 - self.paired_percent(),
-            self.augmentation,
-        )
+        )?;
+        // Nothing was left to be completed, or nothing of that could be.
+        if self.unpaired_triangles == 0 || self.paths.paths == 0 {
+            return Ok(());
+        }
+        write!(f, ", completed by {}", self.augmentation)
     }
 
     /// Writes how many edges to keep were given up, if there were any.

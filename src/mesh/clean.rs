@@ -56,9 +56,10 @@ impl Mesh {
         if cleaned != Cleaned::default() {
             derived.replace_faces_of(self);
         }
-        self.note_losses([
-            (cleaned.degenerate_faces, ["face that was degenerate", "faces that were degenerate"]),
-            (cleaned.duplicate_faces, ["face that was there twice", "faces that were there twice"]),
+        let duplicate = ["face that was there twice", "faces that were there twice"];
+        self.note_repairs([
+            ("clean dropped", cleaned.degenerate_faces, ["degenerate face", "degenerate faces"]),
+            ("clean dropped", cleaned.duplicate_faces, duplicate),
         ]);
         cleaned
     }
@@ -87,8 +88,9 @@ mod tests {
         let expected: [&[u32]; 3] = [&[0, 1, 2], &[0, 1, 2, 3], &[3, 2, 1, 0]];
         assert!(mesh.faces().iter().eq(expected));
         assert_eq!([0, 1, 2].map(|face| mesh.face_in_file(face)), [1, 4, 5]);
-        let notes = ["2 faces that were degenerate", "1 face that was there twice"];
-        assert_eq!(mesh.left_out(), notes);
+        let notes =
+            ["clean dropped 2 degenerate faces", "clean dropped 1 face that was there twice"];
+        assert_eq!(mesh.repairs(), notes);
         let attributes = mesh.attributes().unwrap();
         let texture = [12, 13, 14, 21, 22, 23, 24, 25, 26, 27, 28].map(Some);
         assert!(attributes.corner_texture.iter().eq(texture));

@@ -65,7 +65,7 @@ pub enum MeshError {
         problem: String,
     },
     /// The file ends before everything that it announces.
-    #[error("{place}: truncated file: {missing}")]
+    #[error("the file ends before {missing}")]
     Truncated {
         /// The end of the file.
         place: Place,
@@ -99,7 +99,7 @@ impl MeshError {
                 "write .obj, .ply or .off, each also with .gz"
             }
             Self::Malformed { .. } => "correct the file there or export it again",
-            Self::Truncated { .. } => "copy or export the file again",
+            Self::Truncated { .. } => "it was cut off: copy or export it again",
             Self::Foreign { remedy, .. } => remedy,
             Self::Expanded(_) => {
                 "if it is to be that large, raise the limit (Reader::max_expanded)"

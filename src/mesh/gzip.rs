@@ -39,7 +39,7 @@ impl<R: Read> Expanded<R> {
         match error {
             _ if self.passed.is_some() => MeshError::Expanded(self.passed.unwrap_or_default()),
             MeshError::Io(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
-                let missing = "the rest of the gzip stream".into();
+                let missing = "its gzip stream does".into();
                 MeshError::Truncated { place: Place::End, missing }
             }
             MeshError::Io(error) => {

@@ -24,6 +24,8 @@ pub struct Mesh {
     pub(super) faces: Faces,
     pub(super) attributes: Option<Box<Attributes>>,
     pub(super) left_out: Vec<String>,
+    /// What repairs have changed.
+    repairs: Vec<String>,
     /// The note on lines of an OBJ file that begin with no keyword.
     pub(super) unknown_lines: Option<String>,
     /// For each face the face of the file (from 0) that it was cut from; empty if none was cut.
@@ -66,6 +68,12 @@ impl Mesh {
         &self.left_out
     }
 
+    /// Returns what [`Mesh::weld`] and [`Mesh::clean`] have changed, in words for the user that
+    /// begin with the name of the function.
+    pub fn repairs(&self) -> &[String] {
+        &self.repairs
+    }
+
     /// Returns the number and the first of lines that begin with no keyword, in words for the user.
     ///
     /// They are in [`Mesh::left_out`] too. If the mesh is refused, they may be why.
@@ -73,15 +81,15 @@ impl Mesh {
         self.unknown_lines.as_deref()
     }
 
-    /// Notes what a repair has lost: so many, and the words for one and for several.
+    /// Notes what a repair has done: to so many, and the words for one and for several.
     #[cfg(feature = "files")]
-    pub(super) fn note_losses<const N: usize>(&mut self, losses: [(usize, [&str; 2]); N]) {
-        let some = losses.into_iter().filter(|(count, _)| *count > 0);
-        let words = |(count, [one, several]): (usize, [&str; 2])| match count {
-            1 => format!("1 {one}"),
-            _ => format!("{count} {several}"),
+    pub(super) fn note_repairs<const N: usize>(&mut self, done: [(&str, usize, [&str; 2]); N]) {
+        let some = done.into_iter().filter(|(_, count, _)| *count > 0);
+        let words = |(deed, count, [one, several]): (&str, usize, [&str; 2])| match count {
+            1 => format!("{deed} 1 {one}"),
+            _ => format!("{deed} {count} {several}"),
         };
-        self.left_out.extend(some.map(words));
+        self.repairs.extend(some.map(words));
     }
 
     /// Takes the mesh apart into positions and faces. Attributes are dropped.

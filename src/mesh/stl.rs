@@ -250,10 +250,10 @@ mod tests {
         let mut bytes = binary(b"solid", &[[A, B, C], [C, B, A]]);
         bytes.push(7);
         assert_eq!(problem(&bytes), "byte 184: 1 byte after the last of 2 triangles");
-        assert_eq!(problem(&bytes[..183]), "end of file: truncated file: triangle 2 of 2");
+        assert_eq!(problem(&bytes[..183]), "the file ends before triangle 2 of 2");
         bytes[80..84].fill(255);
-        assert!(problem(&bytes).contains("truncated file: triangle 3 of 4294967295"));
-        assert_eq!(problem(&[0; 83]), "end of file: truncated file: the header");
+        assert!(problem(&bytes).contains("the file ends before triangle 3 of 4294967295"));
+        assert_eq!(problem(&[0; 83]), "the file ends before the header");
     }
 
     #[test]
@@ -264,7 +264,7 @@ mod tests {
         assert_eq!(wrong("1e0", "one"), "line 6: 'one' is not a coordinate");
         assert_eq!(wrong(" endloop", "  vertex"), "line 7: 'vertex' is not 'endloop'");
         assert_eq!(wrong("\nendsolid", "\nend"), "line 9: 'end' is not 'facet' or 'endsolid'");
-        assert_eq!(problem(b""), "end of file: truncated file: 'solid'");
+        assert_eq!(problem(b""), "the file ends before 'solid'");
     }
 
     #[test]

@@ -246,7 +246,7 @@ mod tests {
         let error = tokens.read_in_line("a count", count).unwrap_err();
         assert_eq!(error.to_string(), "line 3: the line ends before a count");
         let error = tokens.read("a count", count).unwrap_err();
-        assert_eq!(error.to_string(), "end of file: truncated file: a count");
+        assert_eq!(error.to_string(), "the file ends before a count");
     }
 
     #[test]

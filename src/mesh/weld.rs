@@ -48,17 +48,10 @@ impl Mesh {
         self.positions = positions;
         let merged_vertices = before - self.positions.len();
         let dropped_faces = if merged_vertices == 0 { 0 } else { self.follow_weld(&targets) };
-        let one_face = "face that welding left with less than three corners";
-        let faces = "faces that welding left with less than three corners";
-        self.note_losses([
-            (
-                merged_vertices,
-                [
-                    "vertex that welding made one with another",
-                    "vertices that welding made one with others",
-                ],
-            ),
-            (dropped_faces, [one_face, faces]),
+        let faces = ["face of less than three corners", "faces of less than three corners"];
+        self.note_repairs([
+            ("weld joined", merged_vertices, ["vertex with another", "vertices with others"]),
+            ("weld dropped", dropped_faces, faces),
         ]);
         Welded { merged_vertices, dropped_faces }
     }

@@ -7,7 +7,7 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use super::check_error::CheckError;
+use super::check_error::{CheckError, FaceFault};
 use crate::mesh::{Faces, Mesh};
 use crate::parallel::{collect, join, map, ranges};
 
@@ -108,8 +108,8 @@ fn compare_faces(
     triangles: &Faces,
     vertices: usize,
 ) -> Result<CheckReport, CheckError> {
-    require_arity(quads, 4, vertices).map_err(CheckError::NotAQuad)?;
-    require_arity(triangles, 3, vertices).map_err(CheckError::BadTriangle)?;
+    require_arity(quads, 4, vertices).map_err(|(face, fault)| CheckError::NotAQuad(face, fault))?;
+    require_triangles(triangles, vertices)?;
     let (of_quads, of_triangles) = join(
         || Corners::gather(quads.corners(), vertices),
         || Corners::gather(triangles.corners(), vertices),
@@ -140,18 +140,31 @@ fn compare_faces(
 
 const NONE: u32 = u32::MAX;
 
+/// Checks that all faces are triangles of existing vertices.
+pub(super) fn require_triangles(triangles: &Faces, vertices: usize) -> Result<(), CheckError> {
+    require_arity(triangles, 3, vertices)
+        .map_err(|(face, fault)| CheckError::BadTriangle(face, fault))
+}
+
 /// Checks that all faces have `arity` corners below `vertices`; the error is the first that has
 /// not.
-pub(super) fn require_arity(faces: &Faces, arity: usize, vertices: usize) -> Result<(), usize> {
+fn require_arity(faces: &Faces, arity: usize, vertices: usize) -> Result<(), (usize, FaceFault)> {
     let in_range = |face: &[u32]| face.iter().all(|&v| (v as usize) < vertices);
     if faces.arity() == Some(arity) && in_range(faces.corners()) {
         return Ok(());
     }
-    let sound = |face: &[u32]| face.len() == arity && in_range(face);
-    match faces.iter().position(|face| !sound(face)) {
-        Some(face) => Err(face),
-        None => Ok(()),
-    }
+    let fault = |face: &[u32]| {
+        let other = (face.len() != arity).then_some(FaceFault::Corners(face.len()));
+        other.or_else(|| absent_vertex(face, vertices))
+    };
+    let first = faces.iter().enumerate().find_map(|(index, face)| Some((index, fault(face)?)));
+    first.map_or(Ok(()), Err)
+}
+
+/// Returns the first corner of a face that is none of so many vertices.
+pub(super) fn absent_vertex(face: &[u32], vertices: usize) -> Option<FaceFault> {
+    let absent = face.iter().find(|&&v| v as usize >= vertices);
+    absent.map(|&vertex| FaceFault::AbsentVertex { vertex, all: vertices })
 }
 
 /// The corners of faces of equal size, and where each vertex's corners are.

@@ -2,6 +2,36 @@
 
 use crate::counted::counted;
 
+/// What is wrong with a face by itself. Displayed numbers count from 1, stored ones from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+#[non_exhaustive]
+pub enum FaceFault {
+    /// It has another number of corners than it should have.
+    #[error("{}", kind_of_face(*.0))]
+    Corners(usize),
+    /// It names a vertex that does not exist.
+    #[error("names a vertex that does not exist (vertex {} of {all})", u64::from(*.vertex) + 1)]
+    AbsentVertex {
+        /// The vertex.
+        vertex: u32,
+        /// Number of vertices.
+        all: usize,
+    },
+}
+
+fn kind_of_face(corners: usize) -> String {
+    match corners {
+        3 => "is a triangle".into(),
+        4 => "is a quadrilateral".into(),
+        other => format!("has {}", counted(other, "corner", "corners")),
+    }
+}
+
 /// The first defect found of a quad mesh. Displayed numbers count from 1, stored ones from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[cfg_attr(
@@ -12,8 +42,8 @@ use crate::counted::counted;
 #[non_exhaustive]
 pub enum CheckError {
     /// The triangle mesh has a face that is not a triangle, or names a missing vertex.
-    #[error("face {} of the triangle mesh is no triangle of existing vertices", .0 + 1)]
-    BadTriangle(usize),
+    #[error("face {} of the triangle mesh {}", .0 + 1, .1)]
+    BadTriangle(usize, FaceFault),
     /// The numbers of vertices differ.
     #[error("the quad mesh has {}, the triangle mesh {triangles}", vertices(*.quads))]
     VertexCount {
@@ -34,11 +64,11 @@ pub enum CheckError {
     #[error("vertex {} has other coordinates than in the triangle mesh", .0 + 1)]
     Moved(usize),
     /// A face does not have four corners that exist.
-    #[error("face {} is no quadrilateral of existing vertices", .0 + 1)]
-    NotAQuad(usize),
+    #[error("face {} {}", .0 + 1, .1)]
+    NotAQuad(usize, FaceFault),
     /// A face has neither three nor four corners that exist.
-    #[error("face {} is neither a triangle nor a quadrilateral of existing vertices", .0 + 1)]
-    NotATriangleOrQuad(usize),
+    #[error("face {} {}", .0 + 1, .1)]
+    NotATriangleOrQuad(usize, FaceFault),
     /// A face of three corners is no triangle of the triangle mesh.
     #[error("face {} is no triangle of the triangle mesh", .0 + 1)]
     NotATriangle(usize),

@@ -3,8 +3,8 @@
 //! Triangles are found by their three vertices, in a sorted list. So the surfaces may have a
 //! boundary and may be one-sided.
 
-use super::check::{CheckReport, check_positions, require_arity};
-use super::check_error::CheckError;
+use super::check::{CheckReport, absent_vertex, check_positions, require_triangles};
+use super::check_error::{CheckError, FaceFault};
 use crate::dual::Matching;
 use crate::mesh::{Faces, Mesh};
 use crate::triangulation::TriangleId;
@@ -62,7 +62,7 @@ pub(crate) fn check_mixed_faces(
     triangles: &Faces,
     vertices: usize,
 ) -> Result<MixedCheck, CheckError> {
-    require_arity(triangles, 3, vertices).map_err(CheckError::BadTriangle)?;
+    require_triangles(triangles, vertices)?;
     for (face, corners) in mixed.iter().enumerate() {
         require_distinct(face, corners, vertices)?;
     }
@@ -72,7 +72,10 @@ pub(crate) fn check_mixed_faces(
         match *corners {
             [a, b, c] => cover.triangle(face, [a, b, c])?,
             [a, b, c, d] => cover.quad(face, [a, b, c, d])?,
-            _ => return Err(CheckError::NotATriangleOrQuad(face)),
+            _ => {
+                let fault = FaceFault::Corners(corners.len());
+                return Err(CheckError::NotATriangleOrQuad(face, fault));
+            }
         }
         quads += usize::from(corners.len() == 4);
     }
@@ -92,8 +95,8 @@ pub(crate) fn check_mixed_faces(
 
 /// Checks that corners exist and none is repeated.
 fn require_distinct(face: usize, corners: &[u32], vertices: usize) -> Result<(), CheckError> {
-    if corners.iter().any(|&v| v as usize >= vertices) {
-        return Err(CheckError::NotATriangleOrQuad(face));
+    if let Some(fault) = absent_vertex(corners, vertices) {
+        return Err(CheckError::NotATriangleOrQuad(face, fault));
     }
     let is_repeated = |k: usize| corners[..k].contains(&corners[k]);
     if corners.len() <= 4 && (1..corners.len()).any(is_repeated) {

@@ -59,7 +59,7 @@ use crate::triangulation::{HalfEdgeId, IdVec, TriangleId, Triangulation, VertexI
 
 pub(crate) use check::check_faces;
 pub use check::{CheckReport, check};
-pub use check_error::CheckError;
+pub use check_error::{CheckError, FaceFault};
 pub(crate) use check_mixed::check_mixed_faces;
 pub use check_mixed::{MixedCheck, check_mixed};
 pub use cost::{Cost, DefaultCost, ShapeCost, edge_costs};

@@ -1,6 +1,6 @@
 //! A check that one triangle mesh triangulates the same surface as another, from the two alone.
 
-use super::check::{check_positions, require_arity};
+use super::check::{check_positions, require_triangles};
 use super::check_error::CheckError;
 use crate::disjoint_sets::DisjointSets;
 use crate::mesh::{Faces, Mesh};
@@ -56,7 +56,7 @@ pub(crate) fn check_retriangulated_faces(
     vertices: usize,
 ) -> Result<(), CheckError> {
     for faces in [triangles, given] {
-        require_arity(faces, 3, vertices).map_err(CheckError::BadTriangle)?;
+        require_triangles(faces, vertices)?;
     }
     let [mut one, mut other] = [triangles, given].map(|faces| Components::of(faces, vertices));
     for v in 0..vertices as u32 {

@@ -171,6 +171,10 @@ pub struct Violation {
     /// the edge, one face of each fan of the vertex, the earlier face with the same corners.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub faces: Vec<usize>,
+    /// The vertex that the first face names and that does not exist, and the number of vertices
+    /// that do.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub absent_vertex: Option<(u32, usize)>,
 }
 
 impl Violation {
@@ -198,14 +202,30 @@ impl Violation {
             _ => Some(format!("faces {}", listed(&names))),
         }
     }
+
+    /// Returns the words in brackets behind the complaint: the faces, the vertex that does not
+    /// exist, and the number of elements if it is not one. `start` is the number of the first face
+    /// and of the first vertex.
+    ///
+    /// ```
+    /// let absent = triquad::Mesh::from_triangles(vec![[0.0; 3]; 3], vec![[0, 1, 7], [0, 1, 8]]);
+    /// let violations = triquad::Survey::new(&absent).violations;
+    /// assert_eq!(violations[0].notes(1), " (vertex 8 of 3; first of 2)");
+    /// assert_eq!(violations[0].notes(0), " (vertex 7 of 3; first of 2)");
+    /// ```
+    pub fn notes(&self, start: usize) -> String {
+        let faces = self.faces_in_words(start);
+        let absent = self.absent_vertex;
+        let absent = absent.map(|(v, all)| format!("vertex {} of {all}", v as usize + start));
+        let first_of = (self.count > 1).then(|| format!("first of {}", self.count));
+        let notes: Vec<String> = faces.into_iter().chain(absent).chain(first_of).collect();
+        if notes.is_empty() { String::new() } else { format!(" ({})", notes.join("; ")) }
+    }
 }
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.element, self.law.complaint())?;
-        let first_of = (self.count > 1).then(|| format!("first of {}", self.count));
-        let notes: Vec<String> = self.faces_in_words(1).into_iter().chain(first_of).collect();
-        if notes.is_empty() { Ok(()) } else { write!(f, " ({})", notes.join("; ")) }
+        write!(f, "{} {}{}", self.element, self.law.complaint(), self.notes(1))
     }
 }
 
@@ -227,8 +247,13 @@ mod tests {
     #[test]
     fn violations_are_plain_json() {
         let element = Element::Edge(3, 4);
-        let mut violation =
-            Violation { law: Law::NoBoundary, element, count: 2, faces: Vec::new() };
+        let mut violation = Violation {
+            law: Law::NoBoundary,
+            element,
+            count: 2,
+            faces: Vec::new(),
+            absent_vertex: None,
+        };
         let json = r#"{"law":"boundary-edge","element":{"edge":[3,4]},"count":2}"#;
         assert_eq!(serde_json::to_string(&violation).unwrap(), json);
         assert_eq!(serde_json::from_str::<Violation>(json).unwrap(), violation);

@@ -74,6 +74,7 @@ impl Survey {
                 element: Element::Mesh,
                 count: 1,
                 faces: Vec::new(),
+                absent_vertex: None,
             }];
             return survey;
         }
@@ -105,7 +106,7 @@ impl Survey {
             handles: genera.map(|genera| genera.handles),
             cross_caps: genera.map(|genera| genera.cross_caps),
             closed: edge_count > 0 && edges.groups().all(|group| group.len() == 2),
-            violations: violations.into_sorted(),
+            violations: with_absent_vertex(violations.into_sorted(), list),
             faces_to_flip: sides.faces_to_flip,
         }
     }
@@ -173,6 +174,16 @@ fn sound_faces(list: &Mesh, violations: &mut Violations) -> Vec<bool> {
         in_range && distinct && corners.len() >= 3
     };
     list.faces().iter().enumerate().map(check_face).collect()
+}
+
+/// Adds the vertex that the first face out of range names.
+fn with_absent_vertex(mut violations: Vec<Violation>, list: &Mesh) -> Vec<Violation> {
+    let all = list.positions().len();
+    if let Some(broken) = violations.iter_mut().find(|broken| broken.law == Law::IndexInRange) {
+        let absent = list.faces().corners().iter().find(|&&v| v as usize >= all);
+        broken.absent_vertex = absent.map(|&v| (v, all));
+    }
+    violations
 }
 
 fn all_distinct(corners: &[u32]) -> bool {

@@ -20,7 +20,13 @@ impl Violations {
     ) {
         match self.0.iter_mut().find(|violation| violation.law == law) {
             Some(violation) => violation.count += 1,
-            None => self.0.push(Violation { law, element, count: 1, faces: faces() }),
+            None => self.0.push(Violation {
+                law,
+                element,
+                count: 1,
+                faces: faces(),
+                absent_vertex: None,
+            }),
         }
     }
 

@@ -7,6 +7,7 @@ use triquad::clock::SteppingClock;
 use triquad::dual::{DualGraph, Matching};
 use triquad::mesh::{Faces, Mesh};
 use triquad::pairing::{LRS_ORDER, lrs, velho};
+use triquad::quadrangulation::FaceFault;
 use triquad::random::Random;
 use triquad::triangulation::HalfEdgeId;
 use triquad::{
@@ -239,7 +240,10 @@ fn a_retriangulation_has_the_same_components_on_the_same_vertices() {
     assert!(matches!(missing, Err(CheckError::Component(20))));
     let bridged = changed(&|all| all[0] = [0, 1, 25]);
     assert!(matches!(bridged, Err(CheckError::Component(0))));
-    assert_eq!(changed(&|all| all[3][1] = 999), Err(CheckError::BadTriangle(3)));
+    assert_eq!(
+        changed(&|all| all[3][1] = 999),
+        Err(CheckError::BadTriangle(3, absent(999, &given)))
+    );
     let mut moved = given.clone();
     moved.positions_mut()[2][0] += 1.0;
     assert_eq!(check_retriangulation(&moved, &given), Err(CheckError::Moved(2)));
@@ -297,6 +301,10 @@ fn shuffles_are_timed_apart_and_belong_to_the_pairing() {
     assert!(shuffles <= pairing, "{shuffles} of {pairing}");
 }
 
+fn absent(vertex: u32, mesh: &Mesh) -> FaceFault {
+    FaceFault::AbsentVertex { vertex, all: mesh.positions().len() }
+}
+
 #[test]
 fn the_check_names_what_is_wrong() {
     let surface = grids::torus(6, 5);
@@ -319,7 +327,7 @@ fn the_check_names_what_is_wrong() {
         *quads = vec![[a, b, c, b]; 1];
     };
     assert!(matches!(verdict(&folded), CheckError::RepeatedCorner(0) | CheckError::VertexUse(_)));
-    assert_eq!(verdict(&|quads| quads[4][0] = 999), CheckError::NotAQuad(4));
+    assert_eq!(verdict(&|quads| quads[4][0] = 999), CheckError::NotAQuad(4, absent(999, &list)));
 
     let other = crate::common::face_list(&classic::octahedron());
     let quads_of_other = quads_of(&Triangulation::build(&other).unwrap());

@@ -7,7 +7,7 @@ use petgraph::graph::UnGraph;
 use triquad::matching::weighted::{Barrier, NONE};
 use triquad::mesh::Faces;
 use triquad::pairing::{Proof, ProofError};
-use triquad::quadrangulation::{Keep, check_mixed};
+use triquad::quadrangulation::{FaceFault, Keep, check_mixed};
 use triquad::random::Random;
 use triquad::triangulation::{OpenTriangulation, Surface as _, TriangleId};
 use triquad::{
@@ -355,8 +355,10 @@ fn the_check_of_mixed_meshes_names_what_is_wrong() {
     assert_eq!(wrong(&|f| f[quad].reverse()), CheckError::Turned(quad));
     assert_eq!(wrong(&|f| f[quad].swap(0, 1)), CheckError::NotAPair(quad));
     assert_eq!(wrong(&|f| f[quad][0] = f[quad][2]), CheckError::RepeatedCorner(quad));
-    assert_eq!(wrong(&|f| f[quad][0] = 999), CheckError::NotATriangleOrQuad(quad));
-    assert_eq!(wrong(&|f| f[quad].truncate(2)), CheckError::NotATriangleOrQuad(quad));
+    let absent = FaceFault::AbsentVertex { vertex: 999, all: mesh.positions().len() };
+    assert_eq!(wrong(&|f| f[quad][0] = 999), CheckError::NotATriangleOrQuad(quad, absent));
+    let fault = FaceFault::Corners(2);
+    assert_eq!(wrong(&|f| f[quad].truncate(2)), CheckError::NotATriangleOrQuad(quad, fault));
     // Half of a quad in place of the quad.
     assert!(matches!(
         wrong(&|f| f[quad].truncate(3)),

@@ -69,6 +69,40 @@ fn options_without_effect_are_refused() {
     workshop.succeed("convert in.obj --compare --lrs-variant few-flips");
 }
 
+/// What needs another option needs it beside options that exclude that one, too.
+#[test]
+fn meshes_and_options_that_would_be_passed_over_are_refused() {
+    let folder = "several meshes need --out-dir FOLDER for their results";
+    let second = "other.obj: a second mesh is given; ";
+    let format = "--format ply: names the format of results in a folder; ";
+    assert_refused(&[
+        ("convert in.obj other.obj", &[second, folder]),
+        ("convert in.obj other.obj in.obj", &["other.obj: 3 meshes are given; ", folder]),
+        ("convert in.obj other.obj -o q.obj", &[second, "-o takes one mesh only: call convert"]),
+        ("convert in.obj nothere.obj -o q.obj", &["nothere.obj: a second mesh", "-o takes one"]),
+        ("convert in.obj other.obj --stats -", &[second, "--stats takes one mesh only"]),
+        ("convert in.obj other.obj --compare", &[second, "--compare takes one mesh only"]),
+        ("convert in.obj other.obj --certificate c", &[second, "--certificate takes one mesh"]),
+        ("convert in.obj other.obj --given-up g", &[second, "--given-up takes one mesh"]),
+        ("convert in.obj other.obj --stop-after-paths 1", &[second, "--stop-after-paths takes"]),
+        (
+            "convert in.obj other.obj --write-triangulation k.obj",
+            &[second, "--write-triangulation takes one mesh only"],
+        ),
+        ("convert in.obj q.obj", &["q.obj: ", "did you mean 'triquad convert in.obj -o q.obj'?"]),
+        ("convert in.obj q.ply.gz --stats s", &["did you mean 'triquad convert in.obj -o q.ply."]),
+        ("convert in.obj nothere.stl", &["nothere.stl: a second mesh is given; ", folder]),
+        ("convert in.obj --format ply", &[format, "give --out-dir FOLDER, too"]),
+        ("convert in.obj --format ply -o q.obj", &[format, "leave --format out"]),
+        ("convert in.obj --format ply --compare", &[format, "leave it out"]),
+        ("check in.obj --against in.obj --cost c", &["--cost c: ", "give --certificate FILE"]),
+        (
+            "check in.obj --against in.obj --cost c --triangulation in.obj",
+            &["--cost c: belongs to a certificate; ", "leave it out"],
+        ),
+    ]);
+}
+
 #[test]
 fn places_that_cannot_be_written_to_are_named_with_their_remedy() {
     let no_folder = "there is no folder missing; make the folder first";

@@ -226,6 +226,136 @@ fn means_over_rows_of_two_builds_are_marked() {
     assert_contains(&text(&shop, "out/index.html"), &[mark], "page");
 }
 
+/// A torus, its first face missing or its vertices split along the faces.
+fn torus_with(change: impl Fn(&mut Surface)) -> Mesh {
+    let mut surface = grids::torus(12, 9);
+    change(&mut surface);
+    Mesh::from_triangles(surface.positions, surface.triangles)
+}
+
+/// The genus of a surface with holes is that of the filled surface, wherever it is printed.
+#[test]
+fn info_and_convert_agree_on_the_genus() {
+    let workshop = Workshop::new();
+    workshop.put_mesh("open.obj", &torus_with(|torus| torus.triangles.truncate(215)));
+    workshop.put_mesh(
+        "two.obj",
+        &torus_with(|torus| {
+            torus.triangles.remove(100);
+            torus.triangles.remove(0);
+        }),
+    );
+    assert_contains(&workshop.succeed("convert open.obj --open"), &["(genus 1, 1 bound"], "open");
+    for (file, genus) in [("open.obj", "1 with its hole filled"), ("two.obj", "1 with its holes f")]
+    {
+        let text = workshop.run(&format!("info {file}"));
+        let text = String::from_utf8(text.stdout).unwrap();
+        assert_contains(&text, &[&format!("genus                  {genus}")], file);
+        assert!(workshop.json(&format!("info {file} --json"), 2)["genus"].is_null());
+    }
+}
+
+/// Every verb gives the remedy of the mesh at hand.
+#[test]
+fn check_gives_the_same_remedy_as_convert() {
+    let workshop = Workshop::new();
+    workshop.put_mesh("whole.obj", &torus_with(|_| {}));
+    workshop.put_mesh(
+        "split.obj",
+        &torus_with(|torus| {
+            let corners = torus.triangles.as_flattened().to_vec();
+            torus.positions = corners.iter().map(|&v| torus.positions[v as usize]).collect();
+            torus.triangles =
+                (0..corners.len() as u32 / 3).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
+        }),
+    );
+    workshop.succeed("convert whole.obj -o q.obj");
+    let remedy = "--weld closes it";
+    assert_contains(&workshop.fail("convert split.obj", 2), &[remedy], "convert");
+    let line = workshop.fail("check q.obj --against split.obj", 2);
+    assert_contains(&line, &["split.obj: ", remedy], "check");
+    workshop.succeed("check q.obj --against whole.obj");
+    // What the option was asked to do is no loss.
+    let run = workshop.run("convert split.obj --weld -o q.obj --stats stats.json");
+    let note = "split.obj: note: --weld joined 540 vertices with others\n";
+    assert!(run.stderr.ends_with(note) && !run.stderr.contains("carried"), "{}", run.stderr);
+    let stats: serde_json::Value = serde_json::from_slice(&workshop.get("stats.json")).unwrap();
+    assert_eq!(stats["left_out"], serde_json::json!(["--weld joined 540 vertices with others"]));
+    let text = String::from_utf8(workshop.run("info split.obj --weld").stdout).unwrap();
+    assert_contains(&text, &["repaired               --weld joined 540"], "info");
+    assert!(!text.contains("not read"), "{text}");
+}
+
+#[test]
+fn faces_that_are_no_quads_are_named_for_what_they_are() {
+    let workshop = Workshop::new();
+    let tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    workshop.put("in.obj", tetrahedron);
+    let check = |face: &str| {
+        workshop.put("q.obj", tetrahedron.replace("f 1 3 2", face));
+        workshop.fail("check q.obj --against in.obj", 1)
+    };
+    assert_contains(&check("f 1 3 2"), &["q.obj: face 1 is a triangle; --open allows"], "triangle");
+    let penta = check("f 1 3 2 4 1");
+    assert_contains(&penta, &["q.obj: face 1 has 5 corners"], "pentagon");
+    assert_contains(
+        &check("f 1 3 2 9"),
+        &["face 1 names a vertex that does", "(vertex 9 of 4)"],
+        "",
+    );
+}
+
+/// A face out of range is named with the vertex, in every format.
+#[test]
+fn absent_vertices_are_named() {
+    let workshop = Workshop::new();
+    let points = "0 0 0\n1 0 0\n0 1 0\n";
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+               property float z\nelement face 2\nproperty list uchar int vertex_indices\n\
+               end_header\n";
+    workshop.put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 4\n");
+    workshop.put("a.off", format!("OFF\n3 2 0\n{points}3 0 1 2\n3 2 1 3\n"));
+    workshop.put("a.ply", format!("{ply}{points}3 0 1 2\n3 2 1 3\n"));
+    for file in ["a.obj", "a.off", "a.ply"] {
+        let expected = "face 2 names a vertex that does not exist (vertex 4 of 3)";
+        assert_contains(&workshop.fail(&format!("convert {file}"), 2), &[expected], file);
+        let text = String::from_utf8(workshop.run(&format!("info {file}")).stdout).unwrap();
+        assert_contains(&text, &[expected], file);
+    }
+}
+
+/// A file that was cut off says so once, with the place and the remedy.
+#[test]
+fn truncated_files_are_told_in_one_sentence() {
+    let workshop = Workshop::new();
+    let torus = torus_with(|_| {});
+    for file in ["a.ply", "a.off", "a.stl", "a.obj.gz", "a.ply.gz"] {
+        if file == "a.stl" {
+            let mut bytes = vec![0; 84 + 50];
+            bytes[80] = 3;
+            workshop.put(file, bytes);
+        } else {
+            workshop.put_mesh(file, &torus);
+            let bytes = workshop.get(file);
+            workshop.put(file, &bytes[..bytes.len() / 2]);
+        }
+        let line = workshop.fail(&format!("info {file}"), 2);
+        let end = "; it was cut off: copy or export it again";
+        assert_contains(&line, &[&format!("{file}: the file ends before "), end], file);
+        assert!(!line.contains("truncated") && !line.contains("end of file"), "{line}");
+    }
+}
+
+#[test]
+fn what_was_complete_was_not_completed() {
+    let workshop = Workshop::new();
+    workshop.put_mesh("in.obj", &torus_with(|_| {}));
+    let line = workshop.succeed("convert in.obj --algorithm tq");
+    assert!(line.contains("tq left 0 unpaired (0.000 %); ") && !line.contains("complet"), "{line}");
+    let line = workshop.succeed("convert in.obj --algorithm sg --seed 1");
+    assert_contains(&line, &[" %), completed by local; "], "sg");
+}
+
 /// `make test` ends with the tests that did nothing, and why.
 #[test]
 fn tests_that_skip_are_listed() {

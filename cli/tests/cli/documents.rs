@@ -9,7 +9,7 @@
 //!
 //! Other fences are not run. Blocks of one document share a folder.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -291,6 +291,60 @@ fn the_page_of_the_command_has_every_verb_and_every_option_and_no_others() {
     );
     let invented: Vec<_> = on_page.difference(&options).collect();
     assert!(invented.is_empty(), "{invented:?}");
+}
+
+/// Returns the arguments of a help text under each of its headings.
+fn arguments_by_heading(help: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let mut heading = String::new();
+    for line in help.lines() {
+        let depth = line.len() - line.trim_start().len();
+        if line.is_empty() {
+            continue;
+        }
+        if depth == 0 {
+            heading = line.strip_suffix(':').unwrap_or_default().to_owned();
+        } else if depth <= 6 && line.trim_start().starts_with(['-', '<', '[']) {
+            found.entry(heading.clone()).or_default().insert(line.trim_start().to_owned());
+        }
+    }
+    found
+}
+
+/// A heading holds what it names: `clap` hands it on to what is declared after its group.
+#[test]
+fn every_argument_stands_under_its_heading() {
+    let page = std::fs::read_to_string(root().join("docs/cli.md")).unwrap();
+    let aims = page.split("What `best` aims at").nth(1).unwrap().split("\n\n").nth(1).unwrap();
+    let everywhere = page.split("| option, before or after").nth(1).unwrap();
+    let everywhere = everywhere.split("\n\n").next().unwrap();
+    let tables = BTreeMap::from([("What best aims at", aims), ("Everywhere", everywhere)]);
+    let mut texts = Vec::new();
+    for verb in verbs(&help(&[])) {
+        let text = help(&[&verb]);
+        texts.extend(verbs(&text).iter().map(|second| help(&[&verb, second])));
+        texts.push(text);
+    }
+    let mut seen = BTreeSet::new();
+    for text in &texts {
+        for (heading, arguments) in arguments_by_heading(text) {
+            let is_place = |argument: &String| argument.starts_with(['<', '[']);
+            let places = arguments.iter().filter(|argument| is_place(argument)).count();
+            let expected = if heading == "Arguments" { arguments.len() } else { 0 };
+            assert_eq!(places, expected, "{heading}: {arguments:?}");
+            let options = arguments.iter().flat_map(|argument| {
+                let name = argument.split("  ").next().unwrap_or_default();
+                long_options(name.split(['<', '[']).next().unwrap_or_default())
+            });
+            let options: BTreeSet<String> = options.collect();
+            match tables.get(heading.as_str()) {
+                Some(table) => assert_eq!(options, long_options(table), "{heading}"),
+                None => assert!(["Arguments", "Options"].contains(&&*heading), "{heading}"),
+            }
+            seen.insert(heading);
+        }
+    }
+    assert_eq!(seen.len(), 4, "{seen:?}");
 }
 
 /// README has a selection.

@@ -145,7 +145,7 @@ fn every_planned_run_has_a_row_and_none_is_done_twice() {
     assert_eq!(planned as usize, results.records.len());
     for record in &results.records {
         assert!(results.machines.contains_key(&record.machine));
-        assert!(record.mesh_sha256.len() == 64 && record.process_seconds > 0.0);
+        assert!(record.mesh_sha256.len() == 64 && record.process_seconds > Some(0.0));
         assert!(record.command.starts_with("triquad generate paper "), "{}", record.command);
     }
     assert!(!shop.path("out/meshes").exists(), "meshes are removed when they are done with");

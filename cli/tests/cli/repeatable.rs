@@ -16,5 +16,5 @@ pub fn repeatable(record: &RunRecord) -> RunRecord {
         peak_memory_bytes: None,
         ..record.measured.clone()
     };
-    RunRecord { machine: String::new(), process_seconds: 0.0, measured, ..record.clone() }
+    RunRecord { machine: String::new(), process_seconds: None, measured, ..record.clone() }
 }

@@ -1,5 +1,6 @@
 //! What the runner does when something goes wrong: no row is lost, nothing is silent.
 
+use std::collections::BTreeSet;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
@@ -67,6 +68,24 @@ fn what_cannot_be_begun_is_told_and_tried_again() {
     assert_eq!(bad(&shop.results("out").records), 0);
 }
 
+/// Rows of other seeds or builds, which the folder keeps, are none of the plan's.
+#[test]
+fn progress_counts_the_runs_of_this_plan() {
+    let shop = Workshop::new();
+    let counts = |said: &str| -> Vec<(usize, usize)> {
+        let lines = said.lines().filter_map(|line| line.split(" done: ").nth(1));
+        let counts = lines.map(|line| line.split(" run").next().unwrap().split_once(" of "));
+        let number = |text: &str| text.parse().unwrap();
+        counts.map(|count| count.map(|(done, all)| (number(done), number(all))).unwrap()).collect()
+    };
+    shop.succeed("run tiny.toml --scale demo --out out");
+    let text = std::fs::read_to_string(shop.path("tiny.toml")).unwrap();
+    std::fs::write(shop.path("tiny.toml"), text.replacen("seed = ", "seed = 1", 1)).unwrap();
+    let found = counts(&shop.succeed("run tiny.toml --scale demo --out out"));
+    assert!(found.len() > 1 && found.windows(2).all(|two| two[0].0 < two[1].0), "{found:?}");
+    assert!(found.last().is_some_and(|(done, all)| done == all), "{found:?}");
+}
+
 #[test]
 fn merging_names_bad_runs_and_keeps_the_good_ones() {
     let shop = Workshop::new();
@@ -78,6 +97,12 @@ fn merging_names_bad_runs_and_keeps_the_good_ones() {
     assert!(shop.results("merged").records.iter().all(RunRecord::is_ok));
     let said = shop.failed("merge bad --out alone");
     assert!(said.contains("invalid: why") && said.contains("51 runs did not end well"), "{said}");
+    // Alike runs are one line: 51 of them have a handful of jobs.
+    let alike = said.lines().filter(|line| line.contains("invalid: why")).count();
+    let jobs: BTreeSet<String> =
+        shop.results("alone").records.iter().map(|record| record.id.job.name()).collect();
+    assert_eq!(alike, jobs.len(), "{said}");
+    assert!(said.contains("invalid: why (and "), "{said}");
     let alone = shop.results("alone").records;
     assert!(alone.len() == 51 && alone.iter().all(|row| row.outcome == Outcome::Invalid));
 }

@@ -133,8 +133,8 @@ impl ProgramRun<'_> {
         let words = self.spec.command(places);
         let (ending, process_seconds) =
             clock.time(|| process::run_foreign(self.ours, &words, self.limits));
-        let record = RunRecord { process_seconds, ..record };
-        let completed = ending.map(|ending| self.complete(record, ending, places));
+        let record = RunRecord { process_seconds: Some(process_seconds), ..record };
+        let completed = ending.map(|ending| self.complete(record, ending, places, process_seconds));
         for file in [&result, &stats] {
             let _ = fs::remove_file(file);
         }
@@ -145,7 +145,13 @@ impl ProgramRun<'_> {
         self.workshop.join(format!("{}.{extension}", record.key))
     }
 
-    fn complete(&self, record: RunRecord, ending: Ending, places: Places<'_>) -> RunRecord {
+    fn complete(
+        &self,
+        record: RunRecord,
+        ending: Ending,
+        places: Places<'_>,
+        wall: f64,
+    ) -> RunRecord {
         if ending.outcome != Outcome::Ok {
             // The codes of `triquad` are not those of others.
             let outcome = match ending.outcome {
@@ -168,7 +174,7 @@ impl ProgramRun<'_> {
         if counts(&verified) != counts(&planned) {
             return invalid("its mesh has other counts than were planned".into());
         }
-        let measured = self.numbers(own, verified, &ending, record.process_seconds);
+        let measured = self.numbers(own, verified, &ending, wall);
         RunRecord { measured, ..record }
     }
 

@@ -325,7 +325,7 @@ mod tests {
         let bad = |key: &str| RunRecord {
             key: key.into(),
             outcome: Outcome::Invalid,
-            process_seconds: 1.0,
+            process_seconds: Some(1.0),
             ..record("a")
         };
         let mut journal = Journal::open(folder.path()).unwrap();
@@ -352,7 +352,7 @@ mod tests {
         let rows = std::fs::read_to_string(folder.path().join("runs.csv")).unwrap();
         assert_eq!(rows.lines().count(), 2);
         let mut journal = Journal::open(folder.path()).unwrap();
-        journal.append(RunRecord { process_seconds: 2.0, ..failed }).unwrap();
+        journal.append(RunRecord { process_seconds: Some(2.0), ..failed }).unwrap();
         assert!(is_done(&journal, "a"));
         journal.append(RunRecord { outcome: Outcome::Skipped, ..record("b") }).unwrap();
         assert!(!is_done(&journal, "b"), "the program may be installed by now");

@@ -89,16 +89,23 @@ pub struct Measured {
 }
 
 impl Measured {
+    /// Returns the names of the numbers that are there.
+    pub fn names(&self) -> Vec<String> {
+        self.fields().into_iter().map(|(name, _)| name).collect()
+    }
+
+    /// Returns the numbers that are there, by name.
+    fn fields(&self) -> Map<String, Value> {
+        let Ok(Value::Object(fields)) = serde_json::to_value(self) else {
+            unreachable!("a structure is an object")
+        };
+        fields.into_iter().filter(|(_, value)| !value.is_null()).collect()
+    }
+
     /// Returns these numbers with those of `above` in place of their own.
     pub(super) fn overlaid(&self, above: &Self) -> Self {
-        let fields = |of: &Self| -> Map<String, Value> {
-            let Ok(Value::Object(fields)) = serde_json::to_value(of) else {
-                unreachable!("a structure is an object")
-            };
-            fields.into_iter().filter(|(_, value)| !value.is_null()).collect()
-        };
-        let mut all = fields(self);
-        all.extend(fields(above));
+        let mut all = self.fields();
+        all.extend(above.fields());
         serde_json::from_value(Value::Object(all)).expect("both have these fields")
     }
 }

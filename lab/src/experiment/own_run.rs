@@ -39,7 +39,7 @@ impl OwnRun<'_> {
         let arguments = arguments(self.mesh, self.run, result.as_deref());
         let (ending, process_seconds) =
             clock.time(|| process::run(self.ours, &arguments, self.block.limits));
-        let record = RunRecord { process_seconds, ..record };
+        let record = RunRecord { process_seconds: Some(process_seconds), ..record };
         let completed = ending.map(|ending| complete(record, ending, &self.block.mesh));
         let Some(file) = result else { return completed };
         let measured = completed.map(|record| self.measured_from(&file, record));

@@ -10,6 +10,9 @@ use crate::meshes::MeshKind;
 /// Version of the columns.
 pub const SCHEMA: &str = "triquad-run-1";
 
+/// Begins the machine of a run that was measured elsewhere.
+pub(super) const IMPORTED: &str = "imported ";
+
 /// Outcome of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -81,8 +84,8 @@ pub struct RunRecord {
     pub machine: String,
     /// Command that runs it again.
     pub command: String,
-    /// Wall-clock time of the whole process.
-    pub process_seconds: f64,
+    /// Wall-clock time of the whole process; `None` where there was none, or nobody timed it.
+    pub process_seconds: Option<f64>,
     /// The numbers that it measured.
     #[serde(skip)]
     pub measured: Measured,
@@ -149,7 +152,7 @@ impl RunRecord {
 
     /// Returns whether its process was started.
     pub fn has_begun(&self) -> bool {
-        self.is_ok() || self.process_seconds > 0.0
+        self.is_ok() || self.process_seconds.is_some_and(|seconds| seconds > 0.0)
     }
 
     /// Returns whether the augmentation was stopped before the pairing was perfect.
@@ -169,10 +172,19 @@ impl RunRecord {
         }
     }
 
-    /// Returns column (e), with [`RunRecord::whole_augmentation_seconds`] where both its parts are
-    /// known.
+    /// Returns whether it was measured elsewhere.
+    pub fn is_imported(&self) -> bool {
+        self.machine.starts_with(IMPORTED)
+    }
+
+    /// Returns column (e): the sum of [`RunRecord::whole_augmentation_seconds`] and (a) where both
+    /// are known. What was imported keeps its total, which may be rounded.
     pub fn whole_total_seconds(&self) -> Option<f64> {
+        let total = self.measured.total_seconds;
+        if total.is_some() && self.is_imported() && !self.is_extrapolated() {
+            return total;
+        }
         let parts = self.measured.pairing_seconds.zip(self.whole_augmentation_seconds());
-        parts.map(|(pairing, augmentation)| pairing + augmentation).or(self.measured.total_seconds)
+        parts.map(|(pairing, augmentation)| pairing + augmentation).or(total)
     }
 }

@@ -68,7 +68,7 @@ pub trait RunObserver: Sync {
         Ok(())
     }
     /// Called when all runs on a mesh have their rows.
-    fn mesh_done(&self, _mesh: &PlannedMesh, _journal: &Journal) {}
+    fn mesh_done(&self, _mesh: &PlannedMesh) {}
 }
 
 /// Age at which a temporary file in the cache, which others may be writing, is a leftover.
@@ -330,7 +330,7 @@ impl<C: Clock + Sync> Execution<'_, C> {
     fn leave(&self, at_hand: Option<AtHand>, workshop: &Workshop) {
         let Some(AtHand { mesh, .. }) = at_hand else { return };
         workshop.clear([&mesh]);
-        self.observer.mesh_done(&mesh, &lock(&self.journal));
+        self.observer.mesh_done(&mesh);
     }
 }
 

@@ -195,7 +195,7 @@ mod tests {
         assert!(fault(&|faces| faces.push(faces[0].clone())).contains("lies in two faces"));
         assert!(fault(&|faces| faces[3].reverse()).starts_with("face 4 is turned"));
         assert!(fault(&|faces| faces[3].swap(0, 1)).starts_with("quad 4 is not two"));
-        assert!(fault(&|faces| faces[3].push(0)).starts_with("face 4 is neither"));
+        assert!(fault(&|faces| faces[3].push(0)).starts_with("face 4 has 5 corners"));
         let moved = input().positions().iter().map(|&[x, y, z]| [x, y, z + 1e-9]).collect();
         let moved = Mesh::from_triangles(moved, Vec::new());
         let found = verify(Task::Convert, &input(), &moved).unwrap_err().to_string();

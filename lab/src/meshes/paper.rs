@@ -183,6 +183,18 @@ pub fn named(name: &str) -> Option<PaperMesh> {
     ALL.into_iter().find(|mesh| mesh.name == name)
 }
 
+/// Returns the mesh that people call so: letters of either case, blanks, underscores and hyphens
+/// are the same.
+///
+/// ```
+/// let mesh = triquad_lab::meshes::paper::called("Happy Buddha").unwrap();
+/// assert_eq!(mesh.name, "happy-buddha");
+/// ```
+pub fn called(name: &str) -> Option<PaperMesh> {
+    let plain = |name: &str| name.to_lowercase().replace(['_', ' '], "-");
+    ALL.into_iter().find(|mesh| plain(mesh.name) == plain(name))
+}
+
 impl PaperMesh {
     /// Returns the mesh at `scale`: vertices, shafts and genus divided about alike, a genus above 0
     /// not to 0, a scan's vertices not below 200. A box keeps the depth of its shafts.

@@ -215,7 +215,7 @@ impl Cell {
     pub fn has_wall_clock_times(&self) -> bool {
         let is_whole = |run: &RunRecord| {
             let own = [run.measured.total_seconds, run.measured.seconds];
-            run.process_seconds > 0.0 && own.contains(&Some(run.process_seconds))
+            run.process_seconds.is_some_and(|wall| wall > 0.0) && own.contains(&run.process_seconds)
         };
         self.id.job.is_program() && self.ok_runs().any(is_whole)
     }

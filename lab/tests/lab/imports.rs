@@ -79,10 +79,71 @@ fn other_separators_are_named() {
 }
 
 #[test]
+fn impossible_numbers_are_refused_with_the_reason() {
+    let has = "botijo has 40016 triangles";
+    for (column, value, reason) in [
+        ("unpaired_triangles", "999999", format!("999999 is too many: {has}")),
+        ("augmenting_paths", "20009", format!("20009 is too many: {has}, and each takes two")),
+        ("quads", "40016", format!("40016 is too many: {has}, and each takes two")),
+        ("edge_flips", "60025", "60025 is too many: botijo has 60024 edges".into()),
+        ("unpaired_triangles", "-1", "-1 must be 0 or more".into()),
+        ("total_seconds", "-0.5", "-0.5 must be 0 or more".into()),
+        ("quality_mean", "1.5", "1.5 must be from -1 to 1".into()),
+        ("paired_percent", "-2", "-2 must be from 0 to 100".into()),
+    ] {
+        let text = format!("mesh,{column}\nbotijo,{value}\n");
+        assert_eq!(refusal(&text), format!("line 2, column \"{column}\": {reason}"));
+    }
+    let text = "mesh,left\nbotijo,999999\n";
+    let error = import::read(text, &settings(&[("left", "unpaired_triangles")])).unwrap_err();
+    assert!(error.to_string().starts_with("line 2, column \"left\": 999999 is"), "{error}");
+    // A size of its own is that of the row.
+    let text = "mesh,triangles,unpaired_triangles\nbotijo,2000000,999999\n";
+    assert_eq!(import::read(text, &settings(&[])).unwrap().records.len(), 1);
+    for possible in ["unpaired_triangles\nbotijo,40016\n", "quads\nbotijo,20008\n"] {
+        assert!(import::read(&format!("mesh,{possible}"), &settings(&[])).is_ok(), "{possible}");
+    }
+}
+
+#[test]
+fn a_given_total_is_kept_and_must_be_the_sum_of_its_parts() {
+    let header = "mesh,pairing_seconds,augmentation_seconds,total_seconds\n";
+    let total = |row: &str| {
+        let read = import::read(&format!("{header}{row}\n"), &settings(&[]));
+        read.map(|read| read.records[0].whole_total_seconds())
+    };
+    assert_eq!(
+        total("botijo,5,5,1").unwrap_err().to_string(),
+        "line 2, column \"total_seconds\": 1 is not pairing_seconds + augmentation_seconds, \
+         which is 10; correct it, or leave the column out: --map \"total_seconds=-\""
+    );
+    assert!(total("botijo,0.125,0.25,0.40").is_err());
+    // Rounded, each to its own digits.
+    assert_eq!(total("botijo,0.1249,0.2504,0.38").unwrap(), Some(0.38));
+    assert_eq!(total("botijo,1e-3,2.5e-3,3.6e-3").unwrap(), Some(3.6e-3));
+    assert_eq!(total("botijo,0.1,0.2,0.3").unwrap(), Some(0.3));
+    assert_eq!(total("botijo,0.1,,0.3").unwrap(), Some(0.3));
+}
+
+#[test]
+fn names_of_columns_have_letters_of_either_case() {
+    let read = |text: &str, mapping: &[(&str, &str)]| {
+        import::read(text, &settings(mapping)).map(|read| read.records[0].measured.total_seconds)
+    };
+    assert_eq!(read("Mesh,TOTAL_SECONDS\nbotijo,0.5\n", &[]).unwrap(), Some(0.5));
+    let mapping = [("graph", "Mesh"), ("Time", "total_seconds")];
+    assert_eq!(read("Graph,time\nbotijo,0.5\n", &mapping).unwrap(), Some(0.5));
+    let mapping = [("T", "total_seconds"), ("t", "-")];
+    assert_eq!(read("mesh,t,T\nbotijo,0.25,0.5\n", &mapping).unwrap(), Some(0.5));
+    let error = read("mesh,seed,Seed,seconds\nbotijo,1,2,3\n", &[]).unwrap_err();
+    assert!(error.to_string().contains("two columns are \"seed\""), "{error}");
+}
+
+#[test]
 fn more_than_all_is_no_share() {
     assert_eq!(
         refusal("mesh,paired_percent\nbotijo,100\neros,101.5\n"),
-        "line 3, column \"paired_percent\": \"101.5\" is no number from 0 to 100"
+        "line 3, column \"paired_percent\": 101.5 must be from 0 to 100"
     );
 }
 
@@ -110,7 +171,7 @@ fn empty_cells_are_refused_where_a_value_is_needed_and_absent_elsewhere() {
     assert_eq!(eros.outcome.id(), "timeout");
     assert_eq!(
         refusal("mesh,total_seconds,seed\nbotijo,0.5,-3\n"),
-        "line 2, column \"seed\": \"-3\" is no whole number from 0"
+        "line 2, column \"seed\": -3 must be 0 or more"
     );
 }
 

@@ -65,7 +65,7 @@ fn unknown_headers_are_refused() {
     assert_eq!(problem(b"CnOFF 3"), "line 1: nOFF files are not read: vertices need 3 coordinates");
     assert_eq!(problem(b"XOFF"), "line 1: 'XOFF' is not an OFF header");
     assert_eq!(problem(b"ply\n"), "line 1: 'ply' is not an OFF header");
-    assert_eq!(problem(b""), "end of file: truncated file: the header");
+    assert_eq!(problem(b""), "the file ends before the header");
 }
 
 #[test]
@@ -76,8 +76,8 @@ fn errors_name_their_place() {
     assert_eq!(faces("2 0"), "line 4: the line ends before a vertex index");
     assert_eq!(faces("-3 0"), "line 4: '-3' is not a number of corners");
     assert_eq!(problem(b"OFF 1 0 0\n0 0\n"), "line 2: the line ends before a coordinate");
-    assert_eq!(problem(b"OFF 9 0 0\n0 0 0"), "end of file: truncated file: vertex 2 of 9");
-    assert_eq!(problem(b"OFF 0 2\n0\n"), "end of file: truncated file: face 2 of 2");
+    assert_eq!(problem(b"OFF 9 0 0\n0 0 0"), "the file ends before vertex 2 of 9");
+    assert_eq!(problem(b"OFF 0 2\n0\n"), "the file ends before face 2 of 2");
     let lie = "18446744073709551615";
     assert!(problem(format!("OFF {lie} {lie} 0\n0 0 0").as_bytes()).contains("vertex 2 of"));
     assert!(problem(format!("OFF 0 {lie} 0\n{lie} 0 0").as_bytes()).contains("a vertex index"));

@@ -90,7 +90,7 @@ fn every_proper_prefix_is_truncated() {
     }
     let bytes = binary(PROPERTIES, VALUES, false);
     let error = problem(&bytes[..bytes.len() - 1]);
-    assert_eq!(error, "end of file: truncated file: face 2 of 2");
+    assert_eq!(error, "the file ends before face 2 of 2");
 }
 
 #[test]
@@ -226,7 +226,7 @@ fn lying_counts_are_truncated_files() {
     }
     let skipped = TRIANGLE.replace("face", "other");
     for bytes in all_encodings(&skipped, values) {
-        assert_eq!(problem(&bytes), "end of file: truncated file: other 1 of 1");
+        assert_eq!(problem(&bytes), "the file ends before other 1 of 1");
     }
 }
 
@@ -257,7 +257,7 @@ fn header_errors_name_their_line() {
     assert_eq!(header("end_header\n"), "line 3: no element vertex before");
     assert_eq!(problem(b"ply\nend_header\n"), "line 2: no format line before");
     assert_eq!(problem(b"OFF\n"), "line 1: 'OFF' is not 'ply'");
-    assert_eq!(header("comment"), "end of file: truncated file: end_header");
+    assert_eq!(header("comment"), "the file ends before end_header");
 }
 
 #[test]

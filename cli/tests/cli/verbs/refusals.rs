@@ -107,26 +107,30 @@ fn wrong_numbers() -> Vec<Refusal> {
 fn incomplete_files() -> Vec<Refusal> {
     let whole = bytes_of(&grids::sphere(3), Format::Ply);
     let off = &TETRAHEDRON_OFF[..TETRAHEDRON_OFF.len() - 8];
-    let truncated = "end of file | truncated | copy or export the file again";
+    let truncated = "the file ends before | it was cut off: copy or export it again";
     let no_faces = "the mesh | has no faces | exported with faces";
     vec![
-        refusal("binary.ply", without_end(whole, 1), "face 72 of 72 | truncated | copy or export"),
+        refusal(
+            "binary.ply",
+            without_end(whole, 1),
+            "face 72 of 72 | ends before | copy or export it again",
+        ),
         refusal(
             "ascii.ply",
             ascii_ply("3 0 1 2\n3 0 1\n"),
-            "face 2 of 2 | truncated | copy or export",
+            "face 2 of 2 | ends before | copy or export it again",
         ),
         refusal("header.ply", "ply\nformat ascii 1.0\nelement vertex 4\n", truncated),
-        refusal("faces.off", off, "face 4 of 4 | truncated | copy or export"),
+        refusal("faces.off", off, "face 4 of 4 | ends before | copy or export it again"),
         refusal(
             "vertices.off",
             "OFF\n4 4 6\n0 0 0\n",
-            "vertex 2 of 4 | truncated | copy or export",
+            "vertex 2 of 4 | ends before | copy or export it again",
         ),
         refusal(
             "binary.stl",
             truncated_binary_stl(),
-            "triangle 2 of 2 | truncated | copy or export",
+            "triangle 2 of 2 | ends before | copy or export it again",
         ),
         refusal("ascii.stl", truncated_ascii_stl(), truncated),
         refusal("zipped.obj.gz", truncated_gzip(), truncated),
@@ -185,7 +189,7 @@ fn text_files_that_end_too_early_at_the_end_of_a_line_are_truncated() {
     for (file, text) in [("in.off", off), ("in.ply", ply), ("in.stl", stl)] {
         for cut in cuts(&text, text.len()) {
             workshop.put(file, cut);
-            let says = ["end of file: truncated", "copy or export the file again"];
+            let says = ["the file ends before ", "; it was cut off: copy or export it again"];
             assert_contains(&workshop.fail(&format!("convert {file}"), 2), &says, cut);
             assert_contains(&workshop.fail(&format!("info {file}"), 2), &says, cut);
         }
@@ -316,6 +320,14 @@ fn wrong_usage_ends_with_2() {
         ("convrt in.obj", "did you mean 'convert'?"),
         ("convert in.obj --algoritm ps", "did you mean '--algorithm'?"),
         ("convert in.obj --algorithm bets", "did you mean 'best'?"),
+        ("convert in.obj --algorithm BEST", "did you mean 'best'?"),
+        ("convert in.obj --algorithm Blossom", "did you mean 'best'?"),
+        ("convert in.obj --algorithm lrs --lrs-variant few_flips", "did you mean 'few-flips'?"),
+        ("generate paper botjo -o out.obj", "did you mean 'botijo'?"),
+        ("render in.obj", "did you mean 'draw'?"),
+        ("view in.obj", "did you mean 'draw'?"),
+        ("show in.obj", "did you mean 'draw'?"),
+        ("rnder.obj", "did you mean 'triquad convert rnder.obj'?"),
         ("convert", "<IN>"),
         ("convert in.obj --algorithm magic", "magic"),
         ("convert in.obj --augmentation magic", "magic"),

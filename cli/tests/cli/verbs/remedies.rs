@@ -154,8 +154,10 @@ fn what_cleaning_and_welding_drop_is_counted_and_named() {
     workshop.put("in.obj", format!("{TETRAHEDRON}f 1 1 2\nf 2 1 3\nf 3 2 1\nf 4 4 4\n"));
     let run = workshop.run("convert in.obj --clean -o out.obj --stats stats.json");
     assert_eq!(run.code, Some(0), "{run:?}");
-    let notes = ["2 faces that were degenerate", "2 faces that were there twice"];
+    let notes =
+        ["--clean dropped 2 degenerate faces", "--clean dropped 2 faces that were there twice"];
     assert_contains(&run.stderr, &notes, "note");
+    assert!(!run.stderr.contains("not carried over"), "{run:?}");
     let stats = String::from_utf8(workshop.get("stats.json")).unwrap();
     assert_contains(&stats, &notes, "stats");
     workshop.put("close.obj", soup(0.0).replace("v 0 0 0\n", "v 0 0 0.5\n"));

@@ -118,6 +118,49 @@ pub enum ImportError {
         /// The expected text.
         expected: &'static str,
     },
+    /// A number is outside of what its column may be.
+    #[error("line {line}, column {column:?}: {value} must be {bounds}")]
+    OutOfRange {
+        /// Line, from 1.
+        line: u64,
+        /// The column, as in the file.
+        column: String,
+        /// The number.
+        value: String,
+        /// What it may be.
+        bounds: &'static str,
+    },
+    /// A count is greater than the mesh allows.
+    #[error("line {line}, column {column:?}: {value} is too many: {mesh} has {all} {what}")]
+    TooMany {
+        /// Line, from 1.
+        line: u64,
+        /// The column, as in the file.
+        column: String,
+        /// The count.
+        value: u64,
+        /// The mesh.
+        mesh: String,
+        /// Number of what is counted in the mesh.
+        all: u64,
+        /// What that is.
+        what: &'static str,
+    },
+    /// A total is not the sum of its parts.
+    #[error(
+        "line {line}, column {column:?}: {total} is not pairing_seconds + augmentation_seconds, \
+         which is {sum}; correct it, or leave the column out: --map \"{column}=-\""
+    )]
+    Total {
+        /// Line, from 1.
+        line: u64,
+        /// The column, as in the file.
+        column: String,
+        /// The given total.
+        total: String,
+        /// The sum.
+        sum: String,
+    },
 }
 
 /// Examples of columns.

@@ -4,6 +4,7 @@
 //! taken where it is there and has a default where it is not.
 
 mod error;
+mod plausible;
 
 use csv::StringRecord;
 use serde::Deserialize;
@@ -14,7 +15,7 @@ pub use error::ImportError;
 use super::job::Job;
 use super::machine::hash_of_words;
 use super::measured::Measured;
-use super::record::{Outcome, RunRecord};
+use super::record::{IMPORTED, Outcome, RunRecord};
 use super::results::{Planned, column_names};
 use super::run_id::{MeshId, RunId};
 use super::task::Task;
@@ -47,6 +48,8 @@ pub struct Imported {
     pub rounded: usize,
     /// A column of times, and the one that the task has for it, where they differ.
     pub renamed: Option<(&'static str, &'static str)>,
+    /// Meshes in the words of the file, and those of the second paper that they are taken for.
+    pub renamed_meshes: Vec<(String, String)>,
     /// Parts of the total that runs lack.
     pub missing_parts: Vec<MissingPart>,
 }
@@ -137,12 +140,19 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
     // Of the two tasks' times, the one that the other calls so too.
     let (columns, renamed) = with_times_of(job.task(), columns);
     let names = StringRecord::from(columns.clone());
-    let mut imported =
-        Imported { records: Vec::new(), rounded: 0, renamed, missing_parts: Vec::new() };
+    let mut imported = Imported {
+        records: Vec::new(),
+        rounded: 0,
+        renamed,
+        renamed_meshes: Vec::new(),
+        missing_parts: Vec::new(),
+    };
     for row in rows {
         let row = checked(&row, &columns, &header, &mut imported.rounded)?;
         refuse_empty(&row, &columns, &header)?;
         let mut record = record(&row, &names, job, settings, &imported.records)?;
+        plausible::check(&row, &columns, &header, &record)?;
+        imported.note_mesh(&row, &columns, &record);
         imported.complete_total(&mut record, &columns);
         imported.records.push(record);
     }
@@ -150,6 +160,17 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
 }
 
 impl Imported {
+    /// Notes a mesh of the second paper that the file calls as the first paper calls another.
+    fn note_mesh(&mut self, row: &StringRecord, columns: &[String], record: &RunRecord) {
+        let (Some(given), taken) = (cell(row, columns, "mesh"), &record.id.mesh.name) else {
+            return;
+        };
+        let is_new = || self.renamed_meshes.iter().all(|(_, mesh)| mesh != taken);
+        if taken.starts_with(SECOND_PAPER) && !starts_second_paper(given) && is_new() {
+            self.renamed_meshes.push((given.to_owned(), taken.clone()));
+        }
+    }
+
     /// Fills in the total of a conversion where both its parts are known, and notes the part that
     /// is missing where only one is.
     fn complete_total(&mut self, record: &mut RunRecord, columns: &[String]) {
@@ -244,20 +265,30 @@ fn columns(header: &StringRecord, settings: &ImportSettings) -> Result<Vec<Strin
     let known = known_columns();
     let nearest_of = |name: &str| likely(name, known.iter().map(String::as_str)).map(str::to_owned);
     let header: Vec<String> = header.iter().map(str::to_owned).collect();
+    let is_same = |one: &str, other: &str| one.to_lowercase() == other.to_lowercase();
+    // Names are those of `runs.csv` in letters of either case.
+    let plain = |name: &str| {
+        let same = known.iter().find(|known| is_same(known, name));
+        same.map_or(name, |known| known).to_owned()
+    };
+    // Columns of the file that differ in case alone are told apart.
+    let mapping_of = |name: &str| {
+        let exact = settings.mapping.iter().find(|(from, _)| from == name);
+        let others = || settings.mapping.iter().find(|(from, _)| is_same(from, name));
+        let is_other = |from: &str| from != name && header.iter().any(|other| other == from);
+        exact.or_else(|| others().filter(|(from, _)| !is_other(from)))
+    };
     for (from, to) in &settings.mapping {
-        if !header.contains(from) {
+        if !header.iter().any(|name| is_same(name, from)) {
             let (name, has) = (from.clone(), header.join(", "));
             return Err(ImportError::UnknownSource { name, has });
         }
-        if to != "-" && !known.contains(to) {
+        if to != "-" && !known.contains(&plain(to)) {
             let nearest = nearest_of(to);
             return Err(ImportError::UnknownTarget { name: to.clone(), nearest });
         }
     }
-    let mapped = |name: &String| {
-        let mapping = settings.mapping.iter().find(|(from, _)| from == name);
-        mapping.map_or(name, |(_, to)| to).clone()
-    };
+    let mapped = |name: &String| plain(mapping_of(name).map_or(name, |(_, to)| to));
     let columns: Vec<String> = header.iter().map(mapped).collect();
     for (i, column) in columns.iter().enumerate().filter(|(_, column)| *column != "-") {
         if !known.contains(column) {
@@ -290,11 +321,25 @@ fn known_columns() -> Vec<String> {
     known.map(|name| (*name).to_owned()).collect()
 }
 
+/// Begins the names of the second paper's boxes.
+const SECOND_PAPER: &str = "ir-";
+
+/// Returns whether a mesh in the words of a file has that prefix.
+fn starts_second_paper(mesh: &str) -> bool {
+    mesh.to_lowercase().replace(['_', ' '], "-").starts_with(SECOND_PAPER)
+}
+
+/// Returns the field of a row in a column, if it is there and not empty.
+fn cell<'r>(row: &'r StringRecord, columns: &[String], column: &str) -> Option<&'r str> {
+    let place = columns.iter().position(|name| name == column)?;
+    row.get(place).filter(|field| !field.is_empty())
+}
+
 /// Returns the job of all rows.
 fn job(settings: &ImportSettings, columns: &[String], mesh: &str) -> Job {
     let name = settings.algorithm.as_str();
     let is_reduction = columns.iter().any(|column| OF_REDUCTIONS.contains(&column.as_str()));
-    let of_second_paper = mesh.to_lowercase().starts_with("ir-");
+    let of_second_paper = starts_second_paper(mesh);
     let task = match settings.task {
         Some(task) => task,
         None if is_reduction || of_second_paper => Task::Irreducible,
@@ -342,8 +387,17 @@ fn checked(
             value: field.into(),
             expected,
         };
+        let range = |bounds| ImportError::OutOfRange {
+            line,
+            column: name.into(),
+            value: field.into(),
+            bounds,
+        };
         if COUNTS_OF_PLACE.contains(&column.as_str()) && !field.is_empty() {
-            field.parse::<u64>().map_err(|_| bad("whole number from 0"))?;
+            if field.parse::<f64>().is_ok_and(|value| value < 0.0) {
+                return Err(range("0 or more"));
+            }
+            field.parse::<u64>().map_err(|_| bad("whole number"))?;
         }
         let is_text = PLACE_COLUMNS.contains(&column.as_str()) || column == "-";
         if is_text || field.is_empty() {
@@ -353,11 +407,17 @@ fn checked(
         let is_fraction =
             ["seconds", "percent", "mean", "minimum"].iter().any(|ending| column.ends_with(ending));
         let value: f64 = field.parse().map_err(|_| bad("number"))?;
-        if !value.is_finite() || value < 0.0 && !column.starts_with("quality") {
-            return Err(bad("number from 0"));
+        if !value.is_finite() {
+            return Err(bad("number"));
         }
-        if column.ends_with("percent") && value > 100.0 {
-            return Err(bad("number from 0 to 100"));
+        let (least, most, bounds) = match column.as_str() {
+            name if name.ends_with("percent") => (0.0, 100.0, "from 0 to 100"),
+            // Those of scaled Jacobians.
+            name if name.starts_with("quality") => (-1.0, 1.0, "from -1 to 1"),
+            _ => (0.0, f64::INFINITY, "0 or more"),
+        };
+        if value < least || value > most {
+            return Err(range(bounds));
         }
         if is_fraction || field.parse::<u64>().is_ok() {
             fields.push(field.to_owned());
@@ -419,29 +479,23 @@ fn record(
         program: place.program.map_or("external".into(), |program| plain(Some(program))),
         machine: machine_name(&settings.algorithm),
         command: plain(place.command),
-        process_seconds: place.process_seconds.unwrap_or(0.0),
+        process_seconds: place.process_seconds,
         measured: with_sizes(measured, mesh),
     })
 }
 
 /// Returns the name under which the source of imported rows stands in `machines.json`.
 pub fn machine_name(algorithm: &str) -> String {
-    format!("imported {algorithm}")
+    format!("{IMPORTED}{algorithm}")
 }
 
-/// Returns the mesh of the papers that is called so: letters of either case, blanks, underscores
-/// and hyphens are the same, and the second paper's boxes need no `ir-`.
+/// Returns the mesh of the papers that is called so; the second paper's boxes need no `ir-`.
 fn find_mesh(name: &str, task: Task, settings: &ImportSettings) -> Option<PaperMesh> {
-    let plain = |name: &str| name.to_lowercase().replace(['_', ' '], "-");
-    let find = |name: &str| {
-        let mesh = paper::ALL.iter().find(|mesh| plain(mesh.name) == name);
-        mesh.map(|mesh| mesh.at(settings.scale))
-    };
-    let name = plain(name);
-    let of_second_paper = || find(&format!("ir-{name}"));
+    let find = |name: &str| paper::called(name).map(|mesh| mesh.at(settings.scale));
+    let of_second_paper = || find(&format!("{SECOND_PAPER}{name}"));
     match task {
-        Task::Convert => find(&name),
-        Task::Irreducible => of_second_paper().or_else(|| find(&name)),
+        Task::Convert => find(name),
+        Task::Irreducible => of_second_paper().or_else(|| find(name)),
     }
 }
 

@@ -6,6 +6,7 @@
 mod bootstrap;
 mod decision;
 mod evidence;
+mod lacks;
 mod printed;
 mod tolerances;
 
@@ -13,6 +14,7 @@ use evidence::Evidence;
 use printed::Printed;
 
 pub use decision::Verdict;
+pub use lacks::Lacks;
 pub use tolerances::{ToleranceRow, tolerances, tolerances_csv};
 
 use decision::{Decision, decide};
@@ -47,6 +49,8 @@ pub struct Judged {
     pub limit: LimitOrigin,
     /// Our number on every mesh, and the meshes without.
     pub by_mesh: String,
+    /// What it takes to judge it and the records do not have.
+    pub lacks: Lacks,
 }
 
 /// Every claim, judged.
@@ -57,6 +61,16 @@ pub struct Comparison {
 }
 
 impl Comparison {
+    /// Returns the claim that cannot be judged for want of the least, among those that the records
+    /// have an algorithm of on a mesh of; `None` if there is none.
+    pub fn nearest(&self) -> Option<&Judged> {
+        let wanting = self
+            .verdicts
+            .iter()
+            .filter(|judged| judged.verdict == Verdict::NotComparable && judged.lacks.is_near());
+        wanting.min_by_key(|judged| judged.lacks.number())
+    }
+
     /// Returns whether any claim is about these records.
     pub fn says_anything(&self) -> bool {
         let silent = [Verdict::NotComparable, Verdict::PaperInconsistent];
@@ -149,6 +163,7 @@ fn judge_one(claim: &Claim, printed: &[MeshNumber], summary: &Summary) -> Judged
         reason,
         cause,
         limit: claim.limit,
+        lacks: Lacks::new(claim, summary, &ours),
     }
 }
 

@@ -33,7 +33,7 @@ pub fn table(summary: &Summary) -> Option<ReportTable> {
         mean_count("degree_two_vertices", 0, |measured| measured.degree_two_vertices),
         mean("total_seconds", 0, Value::Seconds, RunRecord::whole_total_seconds)
             .heading("pairing, s"),
-        mean("process_seconds", 0, Value::Seconds, |run| Some(run.process_seconds))
+        mean("process_seconds", 0, Value::Seconds, |run| run.process_seconds)
             .heading("from file to file, s"),
         of_cell("peak_memory_bytes", 0, |cell| {
             cell.mean_count(|measured| measured.peak_memory_bytes).map(Value::Bytes)
