@@ -76,7 +76,7 @@ const HIGH_GENUS: &str = "tori round a pole: genus n / 14";
 /// A surface of about so many triangles.
 type Make = fn(f64) -> Surface;
 
-const FAMILIES: [(&str, Make); 10] = [
+const FAMILIES: [(&str, Make); 11] = [
     ("prism: every path passes the same rings", |n| {
         let side = prism_side(n);
         worst_cases::prism(side, 30 * side)
@@ -98,6 +98,9 @@ const FAMILIES: [(&str, Make); 10] = [
     ("random torus: a grid with diagonals drawn", |n| {
         let side = (n / 2.0).sqrt() as u32;
         random::torus(side, side, &mut draws("torus"))
+    }),
+    ("slab: equilateral triangles but for a thousandth", |n| {
+        worst_cases::slab((n / 4.0).sqrt() as u32, &mut draws("slab"))
     }),
     ("subdivided three times: an irregular sphere", |n| {
         let coarse = random::irregular(&sphere(n / 64.0), 2, &mut draws("subdivided"));

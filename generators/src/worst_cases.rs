@@ -176,6 +176,48 @@ pub fn tori_round_a_pole(genus: u32) -> Surface {
     Surface { positions, triangles }
 }
 
+/// A flat slab: two sheets of `2 · side²` equilateral triangles each, with edges of length 1, one
+/// above the other, and `8 · side` triangles round their rim. Every coordinate is moved by up to
+/// 1/1000, drawn. `4 · side² + 8 · side` triangles, outward. O(result).
+///
+/// Nearly all perfect matchings of the dual graph then cost nearly the same if costs depend on the
+/// shape: what is best here depends on what is best far away.
+///
+/// # Panics
+/// If `side` is 0, or if a `u32` cannot number the vertices.
+pub fn slab(side: u32, draw: &mut impl FnMut(u32) -> u32) -> Surface {
+    assert!((1..1 << 15).contains(&side), "a slab has 1 to 2^15 - 1 edges a side, not {side}");
+    let number = |sheet, i, j| (sheet * (side + 1) + i) * (side + 1) + j;
+    let mut moved = |x: f64| x + f64::from(draw(2001)) * 1e-6 - 1e-3;
+    let mut positions = Vec::new();
+    let mut triangles = Vec::new();
+    for sheet in 0..2 {
+        for (i, j) in (0..=side).flat_map(|i| (0..=side).map(move |j| (i, j))) {
+            let [row, place] = [i, j].map(f64::from);
+            let position = [place + row / 2.0, row * (3f64.sqrt() / 2.0), f64::from(sheet)];
+            positions.push(position.map(&mut moved));
+        }
+        for (i, j) in (0..side).flat_map(|i| (0..side).map(move |j| (i, j))) {
+            let [a, b] = [number(sheet, i, j), number(sheet, i, j + 1)];
+            let [c, d] = [a, b].map(|corner| corner + side + 1);
+            let upward = [[a, b, c], [b, d, c]];
+            triangles.extend(if sheet == 1 { upward } else { upward.map(|[a, b, c]| [a, c, b]) });
+        }
+    }
+    let rim = |place: u32| match (place / side % 4, place % side) {
+        (0, step) => (0, step),
+        (1, step) => (step, side),
+        (2, step) => (side, side - step),
+        (_, step) => (side - step, 0),
+    };
+    for place in 0..4 * side {
+        let [(i, j), (k, l)] = [rim(place), rim(place + 1)];
+        let [a, b, c, d] = [number(0, i, j), number(0, k, l), number(1, i, j), number(1, k, l)];
+        triangles.extend([[a, b, c], [b, d, c]]);
+    }
+    Surface { positions, triangles }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -213,6 +255,23 @@ mod tests {
             let base = 3f64.sqrt() / 4.0;
             let volume = base * (f64::from(side * side * length) + f64::from(lobes) / 12.0);
             assert!((signed_volume(&surface) / volume - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn slabs_of_every_size() {
+        for side in [1, 2, 3, 10] {
+            let mut last = 0;
+            let surface = slab(side, &mut |bound| {
+                last = (last + 700) % bound;
+                last
+            });
+            assert_eq!(surface.triangles.len() as u32, 4 * side * side + 8 * side);
+            assert_oriented(&surface, 0);
+            assert_distinct_positions(&surface);
+            assert_embedded(&surface);
+            let volume = 3f64.sqrt() / 2.0 * f64::from(side * side);
+            assert!((signed_volume(&surface) / volume - 1.0).abs() < 0.02);
         }
     }
 

@@ -34,6 +34,7 @@ pub fn special_surfaces() -> Vec<(&'static str, Surface)> {
         ("prism", worst_cases::prism(4, 9)),
         ("prism with lobes", worst_cases::prism_with_lobes(4, 9)),
         ("tori round a pole", worst_cases::tori_round_a_pole(9)),
+        ("slab", worst_cases::slab(9, &mut draws(2))),
         ("random torus", random::torus(8, 9, &mut draws(1))),
         ("subdivided torus", Sculptor::from(&classic::seven_vertex_torus()).subdivided()),
         ("two components", beside(&grids::sphere(3), &grids::torus(5, 4))),
