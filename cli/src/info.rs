@@ -69,6 +69,8 @@ struct Broken {
     count: usize,
     /// Faces there, counted from 1 as elements are.
     faces: Vec<usize>,
+    /// The vertex that the first face names and that does not exist, counted from 1.
+    absent_vertex: Option<u64>,
     remedy: String,
     #[serde(skip)]
     message: String,
@@ -188,6 +190,7 @@ impl Broken {
             element: violation.element.to_string(),
             count: violation.count,
             faces: violation.faces.iter().map(|face| face + 1).collect(),
+            absent_vertex: violation.absent_vertex.map(|(v, _)| u64::from(v) + 1),
             remedy: refused.remedy(violation).to_string(),
             message: violation.to_string(),
         }

@@ -78,7 +78,9 @@ impl Several {
                 return Err(Failure::bad(format!("--format {format}: {problem}; {remedy}")));
             }
             ([one], _) => (one, "a second mesh is given".to_owned()),
-            (more, _) => (&more[0], format!("{} meshes are given", 1 + more.len())),
+            (more, _) => {
+                (&more[0], format!("{} are given", counted(1 + more.len(), "mesh", "meshes")))
+            }
         };
         let name = path.display();
         let is_output = self.more.len() == 1

@@ -78,6 +78,7 @@ fn violation(violation: &Violation) -> Value {
         "element": element(violation.element),
         "count": violation.count,
         "faces": violation.faces,
+        "absent_vertex": violation.absent_vertex.map(|(vertex, _)| vertex),
         "remedy": remedy(violation.law),
         "message": sentence(violation),
     })

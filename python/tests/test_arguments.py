@@ -83,6 +83,10 @@ def test_the_law_the_first_element_and_the_number_of_others_are_named() -> None:
     with pytest.raises(triquad.MeshError) as refused:
         triquad.convert(VERTICES, outside)
     assert (refused.value.law, refused.value.element) == ("index-out-of-range", ("face", (3,)))
+    absent = len(VERTICES)
+    assert f"does not exist (vertex {absent} of {absent})" in str(refused.value)
+    violations = triquad.survey(VERTICES, outside).violations
+    assert [violation.absent_vertex for violation in violations[:2]] == [absent, None]
 
 
 @pytest.mark.parametrize("dtype", "i1 u1 i2 u2 i4 u4 i8 u8 >i4 >u8 q Q l L".split())

@@ -55,6 +55,8 @@ class Violation:
     """Number of elements that break it."""
     faces: list[int]
     """Faces at the element, if that is an edge, a vertex or a face like an earlier one."""
+    absent_vertex: int | None
+    """The vertex that the face names and that does not exist."""
     remedy: str
     message: str
 

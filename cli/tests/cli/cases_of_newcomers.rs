@@ -321,6 +321,9 @@ fn absent_vertices_are_named() {
         assert_contains(&workshop.fail(&format!("convert {file}"), 2), &[expected], file);
         let text = String::from_utf8(workshop.run(&format!("info {file}")).stdout).unwrap();
         assert_contains(&text, &[expected], file);
+        let info = workshop.json(&format!("info {file} --json"), 2);
+        assert_eq!(info["violations"][0]["absent_vertex"], 4, "{file}");
+        assert!(info["violations"][1]["absent_vertex"].is_null(), "{file}");
     }
 }
 

@@ -4,8 +4,6 @@
 //! |---|---|
 //! | named by verbs, tables without a column of verbs | all verbs of the section |
 //! | with a column of verbs | those named there; `both` or `all`: every verb of the section |
-//!
-//! An option whose help says that it has no effect has no row.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -66,18 +64,14 @@ fn options_on(page: &str, sections: &BTreeMap<&str, (&str, Vec<String>)>) -> Opt
 fn options_in(help: &str) -> BTreeSet<String> {
     let own = help.split("\nEverywhere:").next().unwrap_or_default();
     let mut found = BTreeSet::new();
-    let mut latest = BTreeSet::new();
     for line in own.lines() {
         let text = line.trim_start();
         let is_option = text.starts_with('-') && line.len() - text.len() <= 6;
         if is_option {
             let name = text.split(['<', '[']).next().unwrap_or_default();
-            latest = long_options(name.split("  ").next().unwrap_or_default());
-            found.extend(latest.clone());
+            found.extend(long_options(name.split("  ").next().unwrap_or_default()));
         } else if text.starts_with("[alias") {
             found.extend(long_options(text));
-        } else if text.starts_with("No effect") {
-            found.retain(|option| !latest.contains(option));
         }
     }
     found.remove("--help");
@@ -143,8 +137,6 @@ fn a_row_counts_for_its_verbs_and_in_tables_of_options_alone() {
         "          --deep",
         "          [alias: --color]",
         "  -s, --short  Text --none",
-        "      --old",
-        "          No effect: nothing is random",
         "",
         "Everywhere:",
         "  -q, --quiet",

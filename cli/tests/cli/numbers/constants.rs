@@ -51,9 +51,9 @@ pub const CONSTANTS: &[Constant] = &[
     constant("docs/own-results.md", "5", "lab/src/experiment/process.rs", "from_millis(5)"),
     constant(
         "docs/performance.md",
-        "262,144",
+        "32,768",
         "src/matching/weighted/limits.rs",
-        "divided: 1 << 18",
+        "divided: 1 << 15",
     ),
     constant("docs/performance.md", "90", "src/augmentation/mod.rs", "90 bytes a"),
     constant("docs/performance.md", "2", "cli/src/huge_pages.rs", "2 << 20"),

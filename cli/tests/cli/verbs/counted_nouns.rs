@@ -29,6 +29,7 @@ const ALLOWED: &[(&str, &str)] = &[
     ("cli/src/run.rs", "{len} runs"),
     ("generators/src/box_mesh/shape.rs", "{minimum} vertices"),
     ("lab/src/experiment/plan.rs", "{} vertices"),
+    ("lab/src/report/baseline.rs", "{ratio} times"),
     ("lab/src/report/defects.rs", "{machines} machines"),
     ("lab/src/report/page/findings.rs", "{all} claims"),
     ("lab/src/report/page/findings.rs", "{rows} rows"),

@@ -163,7 +163,7 @@ fn info_lists_every_broken_law() {
     assert_has_fields(&info, &INFO_FIELDS);
     let violations = info["violations"].as_array().unwrap();
     for violation in violations {
-        assert_has_fields(violation, &["law", "element", "count", "remedy"]);
+        assert_has_fields(violation, &["law", "element", "count", "faces", "remedy"]);
         assert!(violation["count"].as_u64().unwrap() > 0, "{violation}");
         assert!(!violation["remedy"].as_str().unwrap().is_empty(), "{violation}");
     }
