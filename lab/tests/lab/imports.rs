@@ -126,6 +126,27 @@ fn a_given_total_is_kept_and_must_be_the_sum_of_its_parts() {
 }
 
 #[test]
+fn names_of_meshes_have_blanks_or_not() {
+    for (names, mesh, column) in [
+        (&["A 5", "a_5", "a-5", "A5"][..], "A5", "total_seconds"),
+        (&["happybuddha", "Happy Buddha", "happy_buddha"], "happy-buddha", "total_seconds"),
+        (&["ir-B0", "IR B0", "ir_b_0", "irb0"], "ir-B0", "seconds"),
+        (&["B0", "b 0"], "ir-B0", "link_condition_tests"),
+    ] {
+        for name in names {
+            let settings = ImportSettings { allows_other_meshes: false, ..settings(&[]) };
+            let read = import::read(&format!("mesh,{column}\n{name},1\n"), &settings).unwrap();
+            assert_eq!(read.records[0].id.mesh.name, mesh, "{name}");
+            let is_renamed = column == "link_condition_tests";
+            assert_eq!(!read.renamed_meshes.is_empty(), is_renamed, "{name}");
+        }
+    }
+    // No box of the second paper, so no reduction.
+    let iron = import::read("mesh,total_seconds\niron,1\n", &settings(&[])).unwrap();
+    assert_eq!(iron.records[0].measured.total_seconds, Some(1.0));
+}
+
+#[test]
 fn names_of_columns_have_letters_of_either_case() {
     let read = |text: &str, mapping: &[(&str, &str)]| {
         import::read(text, &settings(mapping)).map(|read| read.records[0].measured.total_seconds)
