@@ -123,6 +123,17 @@ fn a_given_total_is_kept_and_must_be_the_sum_of_its_parts() {
     assert_eq!(total("botijo,1e-3,2.5e-3,3.6e-3").unwrap(), Some(3.6e-3));
     assert_eq!(total("botijo,0.1,0.2,0.3").unwrap(), Some(0.3));
     assert_eq!(total("botijo,0.1,,0.3").unwrap(), Some(0.3));
+    // Less than one part alone.
+    assert_eq!(
+        total("botijo,2,,1").unwrap_err().to_string(),
+        "line 2, column \"total_seconds\": 1 is less than pairing_seconds, which is 2; correct it, \
+         or leave the column out: --map \"total_seconds=-\""
+    );
+    assert!(refusal("mesh,Total_Seconds,augmentation_seconds\nA5,1,2.5\n").contains(
+        "column \"Total_Seconds\": 1 is less than augmentation_seconds, which is 2.5; correct it"
+    ));
+    assert_eq!(total("botijo,0.25,,0.2").unwrap(), Some(0.2));
+    assert_eq!(total("botijo,,0,0").unwrap(), Some(0.0));
 }
 
 #[test]
