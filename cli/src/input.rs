@@ -47,6 +47,27 @@ impl Repairs {
         let on = [*clean, *orient, *triangulate, reading.weld.is_some()];
         on.into_iter().filter(|&is_on| is_on).count()
     }
+
+    /// Returns the options as they are typed, those of reading included.
+    pub fn words(&self) -> Vec<String> {
+        let Self { clean, orient, triangulate, reading } = *self;
+        let expanded = reading.max_expanded.map(|bytes| format!("--max-expanded {bytes}"));
+        let weld = reading.weld.map(|distance| match distance {
+            0.0 => "--weld".into(),
+            _ => format!("--weld {distance:e}"),
+        });
+        let others = [(clean, "--clean"), (triangulate, "--triangulate"), (orient, "--orient")];
+        let others = others.into_iter().filter(|(is_on, _)| *is_on);
+        let others = others.map(|(_, option)| option.to_owned());
+        expanded.into_iter().chain(weld).chain(others).collect()
+    }
+
+    /// Returns the file as a word of a shell, and behind it the options.
+    fn behind(&self, path: &Path) -> String {
+        let mut words = vec![shell::word(path)];
+        words.extend(self.words());
+        words.join(" ")
+    }
 }
 
 /// Parses the distance of `--weld`.
@@ -157,8 +178,8 @@ pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangula
     let triangulation = build_oriented(mesh, repairs);
     triangulation.map_err(|survey| {
         let opens = survey.is_open_surface(repairs.orient);
-        let word = shell::word(path);
-        let remedy = format!("only 'triquad convert {word} --open' and check take it as it is");
+        let file = repairs.behind(path);
+        let remedy = format!("only 'triquad convert {file} --open' and check take it as it is");
         refusal(path, Some(mesh), &survey, repairs, opens.then_some(&remedy))
     })
 }
@@ -245,8 +266,9 @@ pub fn refusal(
     let others = match survey.violations.len() - 1 {
         0 => String::new(),
         more => {
-            let (word, more) = (shell::word(path), counted(more, "other law is", "other laws are"));
-            format!(" (and {more} broken, see 'triquad info {word}')")
+            let file = repairs.behind(path);
+            let more = counted(more, "other law is", "other laws are");
+            format!(" (and {more} broken, see 'triquad info {file}')")
         }
     };
     // Readers of OBJ files expect numbers that count from 1.

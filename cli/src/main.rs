@@ -59,7 +59,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{Arg, Command, CommandFactory, Parser, Subcommand};
 use failure::Failure;
 use formats::FORMATS;
 use triquad_lab::nearest::likely;
@@ -257,6 +257,24 @@ const SYNONYMS_OF_VERBS: [(&str, &str); 8] = [
 const SYNONYMS_OF_VALUES: [(&str, &str); 4] =
     [("blossom", "best"), ("blossom-quad", "best"), ("greedy", "sg"), ("pulli-segal", "ps")];
 
+/// Returns which verbs have the long option `given`, if any has.
+fn verbs_with(given: &str) -> Option<String> {
+    fn collect(command: &Command, path: &str, option: &str, verbs: &mut Vec<String>) {
+        for verb in command.get_subcommands() {
+            let path = format!("{path} {}", verb.get_name());
+            let is_it = |arg: &Arg| arg.get_long() == Some(option) && !arg.is_hide_set();
+            if verb.get_arguments().any(is_it) {
+                verbs.push(path.trim_start().to_owned());
+            }
+            collect(verb, &path, option, verbs);
+        }
+    }
+    let option = given.strip_prefix("--")?;
+    let mut verbs = Vec::new();
+    collect(&Arguments::command(), "", option, &mut verbs);
+    (!verbs.is_empty()).then(|| verbs.join(", "))
+}
+
 /// Returns what was meant, if that can be guessed.
 fn suggestion(error: &clap::Error) -> Option<String> {
     let first = |kind| match error.get(kind) {
@@ -264,6 +282,14 @@ fn suggestion(error: &clap::Error) -> Option<String> {
         Some(ContextValue::Strings(texts)) => texts.first().map(String::as_str),
         _ => None,
     };
+    // An option of other verbs, unless this verb has one that begins so: '--out' for '--output'.
+    if let Some(option) = first(ContextKind::InvalidArg)
+        && error.kind() == ErrorKind::UnknownArgument
+        && first(ContextKind::SuggestedArg).is_none_or(|similar| !similar.starts_with(option))
+        && let Some(verbs) = verbs_with(option)
+    {
+        return Some(format!("{option} is an option of {verbs}"));
+    }
     // A file in the place of a verb: its name may be like that of a verb.
     if let Some(file) = first(ContextKind::InvalidSubcommand)
         && triquad::mesh::Format::from_path(file).is_ok()

@@ -55,20 +55,8 @@ pub struct Way {
 impl fmt::Display for Way {
     /// Writes the options as they are typed.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Repairs { clean, orient, triangulate, reading } = self.repairs;
-        let weld = reading.weld.map(|distance| match distance {
-            0.0 => "--weld".into(),
-            _ => format!("--weld {distance:e}"),
-        });
-        let others = [
-            (clean, "--clean"),
-            (triangulate, "--triangulate"),
-            (orient, "--orient"),
-            (self.is_open, "--open"),
-        ];
-        let others = others.into_iter().filter(|(is_on, _)| *is_on);
-        let words: Vec<String> =
-            weld.into_iter().chain(others.map(|(_, option)| option.into())).collect();
+        let mut words = self.repairs.words();
+        words.extend(self.is_open.then(|| "--open".into()));
         f.write_str(&words.join(" "))
     }
 }
@@ -280,7 +268,8 @@ mod tests {
         assert_eq!((way.to_string().as_str(), way.repairs.number()), ("--open", 0));
         way.repairs.clean = true;
         way.repairs.reading.weld = Some(1e-5);
-        let words = "--weld 1e-5 --clean --open";
+        way.repairs.reading.max_expanded = Some(5_000_000);
+        let words = "--max-expanded 5000000 --weld 1e-5 --clean --open";
         assert_eq!((way.to_string().as_str(), way.repairs.number()), (words, 2));
     }
 }

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::machine::hash_of_file;
-use crate::meshes::paper::PaperMesh;
+use crate::meshes::paper::{self, PaperMesh};
 use triquad::mesh::Format;
 use triquad::triangulation::Triangulation;
 
@@ -132,7 +132,8 @@ impl DataMesh {
     /// Returns whether its name is that of `paper`, or of a version of it.
     pub fn is_called(&self, paper: &str) -> bool {
         let name = self.name.to_lowercase().replace(['_', ' ', '.'], "-");
-        name == paper || name.strip_prefix(paper).is_some_and(|rest| rest.starts_with('-'))
+        let called = paper::called(&name).is_some_and(|mesh| mesh.name == paper);
+        called || name.strip_prefix(paper).is_some_and(|rest| rest.starts_with('-'))
     }
 
     /// Returns whether it has the counts of `paper`.
@@ -157,6 +158,7 @@ mod tests {
             mesh.is_called(paper)
         };
         assert!(called("Happy_Buddha", "happy-buddha"));
+        assert!(called("happybuddha", "happy-buddha"));
         assert!(called("eros-400k", "eros"));
         assert!(!called("erosion", "eros"));
         assert!(!called("derived_eros", "eros"));

@@ -183,16 +183,16 @@ pub fn named(name: &str) -> Option<PaperMesh> {
     ALL.into_iter().find(|mesh| mesh.name == name)
 }
 
-/// Returns the mesh that people call so: letters of either case, blanks, underscores and hyphens
-/// are the same.
+/// Returns the mesh that people call so: case, blanks, underscores and hyphens do not matter.
 ///
 /// ```
 /// let mesh = triquad_lab::meshes::paper::called("Happy Buddha").unwrap();
 /// assert_eq!(mesh.name, "happy-buddha");
 /// ```
 pub fn called(name: &str) -> Option<PaperMesh> {
-    let plain = |name: &str| name.to_lowercase().replace(['_', ' '], "-");
-    ALL.into_iter().find(|mesh| plain(mesh.name) == plain(name))
+    let plain = |name: &str| name.to_lowercase().replace(['_', ' ', '-'], "");
+    let wanted = plain(name);
+    ALL.into_iter().find(|mesh| plain(mesh.name) == wanted)
 }
 
 impl PaperMesh {
@@ -270,6 +270,22 @@ mod tests {
             let ratio = f64::from(mesh.vertices) / f64::from(small.vertices);
             // Shafts come in squares, and 14 in a row are the least that have the holes of B1.
             assert!((17.0..21.0).contains(&ratio), "{}: {ratio}", mesh.name);
+        }
+    }
+
+    #[test]
+    fn a_mesh_is_found_however_its_name_is_written() {
+        for mesh in ALL {
+            for blank in ["", " ", "_", "-"] {
+                let given = mesh.name.replace('-', blank).to_uppercase();
+                assert_eq!(called(&given), Some(mesh), "{given}");
+            }
+        }
+        for given in ["A 5", "a_5", "a-5", "A5"] {
+            assert_eq!(called(given).map(|mesh| mesh.name), Some("A5"), "{given}");
+        }
+        for given in ["", "-", "A", "A55", "buddha"] {
+            assert_eq!(called(given), None, "{given}");
         }
     }
 

@@ -123,6 +123,38 @@ fn a_given_total_is_kept_and_must_be_the_sum_of_its_parts() {
     assert_eq!(total("botijo,1e-3,2.5e-3,3.6e-3").unwrap(), Some(3.6e-3));
     assert_eq!(total("botijo,0.1,0.2,0.3").unwrap(), Some(0.3));
     assert_eq!(total("botijo,0.1,,0.3").unwrap(), Some(0.3));
+    // Less than one part alone.
+    assert_eq!(
+        total("botijo,2,,1").unwrap_err().to_string(),
+        "line 2, column \"total_seconds\": 1 is less than pairing_seconds, which is 2; correct it, \
+         or leave the column out: --map \"total_seconds=-\""
+    );
+    assert!(refusal("mesh,Total_Seconds,augmentation_seconds\nA5,1,2.5\n").contains(
+        "column \"Total_Seconds\": 1 is less than augmentation_seconds, which is 2.5; correct it"
+    ));
+    assert_eq!(total("botijo,0.25,,0.2").unwrap(), Some(0.2));
+    assert_eq!(total("botijo,,0,0").unwrap(), Some(0.0));
+}
+
+#[test]
+fn names_of_meshes_have_blanks_or_not() {
+    for (names, mesh, column) in [
+        (&["A 5", "a_5", "a-5", "A5"][..], "A5", "total_seconds"),
+        (&["happybuddha", "Happy Buddha", "happy_buddha"], "happy-buddha", "total_seconds"),
+        (&["ir-B0", "IR B0", "ir_b_0", "irb0"], "ir-B0", "seconds"),
+        (&["B0", "b 0"], "ir-B0", "link_condition_tests"),
+    ] {
+        for name in names {
+            let settings = ImportSettings { allows_other_meshes: false, ..settings(&[]) };
+            let read = import::read(&format!("mesh,{column}\n{name},1\n"), &settings).unwrap();
+            assert_eq!(read.records[0].id.mesh.name, mesh, "{name}");
+            let is_renamed = column == "link_condition_tests";
+            assert_eq!(!read.renamed_meshes.is_empty(), is_renamed, "{name}");
+        }
+    }
+    // No box of the second paper, so no reduction.
+    let iron = import::read("mesh,total_seconds\niron,1\n", &settings(&[])).unwrap();
+    assert_eq!(iron.records[0].measured.total_seconds, Some(1.0));
 }
 
 #[test]

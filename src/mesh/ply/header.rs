@@ -192,6 +192,23 @@ impl Header {
     pub(super) fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
         tokens.read("'ply'", |word| (word == b"ply").then_some(()))?;
         let returns_alone = tokens.ends_with_return();
+        let (encoding, elements) = Self::read_lines(tokens).map_err(|error| match error {
+            // Half a word is wrong only because the file was cut off.
+            MeshError::Malformed { .. } if tokens.rest().is_empty() => {
+                tokens::truncated("end_header")
+            }
+            error => error,
+        })?;
+        let encoding = encoding.ok_or_else(|| tokens.malformed("no format line before"))?;
+        if !elements.iter().any(|element| element.name == "vertex") {
+            return Err(tokens.malformed("no element vertex before"));
+        }
+        tokens.skip_last_line(returns_alone);
+        Ok(Self { encoding, elements })
+    }
+
+    /// Reads the lines up to the word `end_header`.
+    fn read_lines(tokens: &mut Tokens) -> Result<(Option<Encoding>, Vec<Element>), MeshError> {
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
         let mut names = HashSet::new();
@@ -216,12 +233,7 @@ impl Header {
             }
         }
         close_element(tokens, &elements, &mut names)?;
-        let encoding = encoding.ok_or_else(|| tokens.malformed("no format line before"))?;
-        if !elements.iter().any(|element| element.name == "vertex") {
-            return Err(tokens.malformed("no element vertex before"));
-        }
-        tokens.skip_last_line(returns_alone);
-        Ok(Self { encoding, elements })
+        Ok((encoding, elements))
     }
 }
 

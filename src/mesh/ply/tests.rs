@@ -261,6 +261,22 @@ fn header_errors_name_their_line() {
 }
 
 #[test]
+fn a_header_that_is_cut_off_anywhere_is_truncated() {
+    for bytes in all_encodings(TRIANGLE, "i32:0 i32:0 i32:0 f32:2e9 i32:7") {
+        let end = memchr::memmem::find(&bytes, b"end_header").unwrap() + "end_header".len();
+        for length in 3..end {
+            let error = read(&bytes[..length]).unwrap_err();
+            let cut = bytes[..length].escape_ascii();
+            assert!(matches!(error, MeshError::Truncated { .. }), "{cut}: {error}");
+        }
+    }
+    assert_eq!(
+        problem(b"ply\nformat ascii 1.0\nelement vertex 1\nproperty fl"),
+        "the file ends before end_header"
+    );
+}
+
+#[test]
 fn trailing_data_is_named() {
     let mut bytes = binary(TRIANGLE, "i32:0 i32:0 i32:0 f32:0", false);
     bytes.extend(b"\r\n");

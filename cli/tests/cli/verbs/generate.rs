@@ -78,11 +78,11 @@ fn the_papers_meshes_are_made_by_name() {
     let line = workshop.fail("generate paper A9 -o a9.obj", 2);
     assert_contains(&line, &["A9", "ir-B4"], "an unknown name");
     // As import takes them.
-    for name in ["SOCKET", "Socket"] {
+    for name in ["SOCKET", "Socket", "soc_ket"] {
         workshop.succeed(&format!("generate paper {name} --cache kept -o same.off"));
         assert_eq!(workshop.get("same.off"), workshop.get("socket.off"));
     }
-    for name in ["ir_f1", "IR-f1"] {
+    for name in ["ir_f1", "IR-f1", "irF1", "ir-f_1"] {
         workshop.succeed(&format!("generate paper {name} --scale demo -o f1.off"));
     }
 }

@@ -60,6 +60,12 @@ fn cases() -> Vec<Case> {
 
 /// Returns each option that `text` names, with its number if it has one.
 fn options(text: &str) -> Vec<String> {
+    // The command that shows the other laws repeats what is on.
+    let without = text.split_once(" (and ").and_then(|(before, rest)| {
+        let (_, after) = rest.split_once("')")?;
+        Some(format!("{before}{after}"))
+    });
+    let text = without.as_deref().unwrap_or(text);
     let words: Vec<&str> = text.split_whitespace().collect();
     let option = |(at, word): (usize, &&str)| {
         let name = word.trim_matches(|c: char| !c.is_ascii_alphanumeric() && c != '-');
@@ -119,6 +125,28 @@ fn a_remedy_that_does_not_suffice_says_so() {
     assert_contains(&line, &["--triangulate cuts", "but more options are needed"], "a cube");
     workshop.put("in.obj", CUBE);
     assert!(!workshop.fail("convert in.obj", 2).contains("but "));
+}
+
+/// The other laws are those of the mesh that the options leave.
+#[test]
+fn the_command_that_shows_the_other_laws_has_the_options_of_reading() {
+    let workshop = Workshop::new();
+    // A boundary and edges of many faces, with the options of repair as without.
+    let fan = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n";
+    workshop.put("in.obj", fan);
+    workshop.put("quads.obj", fan);
+    for on in ["", " --weld", " --weld 1e-5 --clean", " --max-expanded 5000 --triangulate --orient"]
+    {
+        for verb in ["convert in.obj", "irreducible in.obj", "check quads.obj --against in.obj"] {
+            let line = workshop.fail(&format!("{verb}{on}"), 2);
+            assert_contains(&line, &[&format!("see 'triquad info in.obj{on}')")], verb);
+        }
+        let run = workshop.run(&format!("info in.obj{on}"));
+        assert_contains(&run.stderr, &["in.obj: breaks "], on);
+    }
+    workshop.put("in.obj", &TETRAHEDRON[..TETRAHEDRON.len() - 8]);
+    let line = workshop.fail("irreducible in.obj --weld --clean", 2);
+    assert_contains(&line, &["only 'triquad convert in.obj --weld --clean --open'"], "open");
 }
 
 #[test]

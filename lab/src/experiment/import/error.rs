@@ -161,6 +161,23 @@ pub enum ImportError {
         /// The sum.
         sum: String,
     },
+    /// A total is less than the one of its parts that is known.
+    #[error(
+        "line {line}, column {column:?}: {total} is less than {part}, which is {seconds}; correct \
+         it, or leave the column out: --map \"{column}=-\""
+    )]
+    TotalOfPart {
+        /// Line, from 1.
+        line: u64,
+        /// The column, as in the file.
+        column: String,
+        /// The given total.
+        total: String,
+        /// The part.
+        part: &'static str,
+        /// Its time.
+        seconds: String,
+    },
 }
 
 /// Examples of columns.

@@ -324,9 +324,11 @@ fn known_columns() -> Vec<String> {
 /// Begins the names of the second paper's boxes.
 const SECOND_PAPER: &str = "ir-";
 
-/// Returns whether a mesh in the words of a file has that prefix.
+/// Returns whether a mesh in the words of a file has that prefix. A mesh that is not the paper's
+/// needs its hyphen: other words begin with these letters.
 fn starts_second_paper(mesh: &str) -> bool {
-    mesh.to_lowercase().replace(['_', ' '], "-").starts_with(SECOND_PAPER)
+    paper::called(mesh).is_some_and(|mesh| mesh.name.starts_with(SECOND_PAPER))
+        || mesh.to_lowercase().replace(['_', ' '], "-").starts_with(SECOND_PAPER)
 }
 
 /// Returns the field of a row in a column, if it is there and not empty.

@@ -3,9 +3,10 @@
 use csv::StringRecord;
 
 use super::error::ImportError;
-use super::{RunRecord, Task, cell};
+use super::{AUGMENTATION, PAIRING, RunRecord, Task, cell};
 
-/// Refuses counts greater than what they are counted among, and totals that are no sum.
+/// Refuses counts greater than what they are counted among, and totals that are no sum of their
+/// parts or less than one of them.
 pub(super) fn check(
     row: &StringRecord,
     columns: &[String],
@@ -46,23 +47,37 @@ pub(super) fn check(
             return Err(ImportError::TooMany { line, column, value, mesh, all, what });
         }
     }
-    let parts = measured.pairing_seconds.zip(measured.augmentation_seconds);
     let is_whole = record.id.job.task() == Task::Convert && record.stopped_after_paths.is_none();
-    if let (Some(total), Some((pairing, augmentation))) = (measured.total_seconds, parts)
-        && is_whole
-    {
-        let fields = ["total_seconds", "pairing_seconds", "augmentation_seconds"];
-        let rounding: f64 =
-            fields.iter().filter_map(|name| Some(last_digit(cell(row, columns, name)?))).sum();
-        let sum = pairing + augmentation;
-        if (total - sum).abs() > rounding.max(1e-9 * sum) {
-            let total = cell(row, columns, "total_seconds").unwrap_or_default().to_owned();
-            let sum = format!("{sum:.9}");
-            let sum = sum.trim_end_matches('0').trim_end_matches('.').to_owned();
-            return Err(ImportError::Total { line, column: name_of("total_seconds"), total, sum });
-        }
+    let Some(total) = measured.total_seconds.filter(|_| is_whole) else { return Ok(()) };
+    let parts =
+        [(PAIRING, measured.pairing_seconds), (AUGMENTATION, measured.augmentation_seconds)];
+    let known = || parts.iter().filter_map(|&(name, seconds)| Some((name, seconds?)));
+    let sum: f64 = known().map(|(_, seconds)| seconds).sum();
+    let digits = ["total_seconds", PAIRING, AUGMENTATION]
+        .iter()
+        .filter_map(|name| Some(last_digit(cell(row, columns, name)?)));
+    let is_sum = if known().count() == 2 {
+        (total - sum).abs() <= digits.sum::<f64>().max(1e-9 * sum)
+    } else {
+        // The other part may have taken any time. Rounding to the same digits keeps the order.
+        let (least, most) = digits.fold((f64::INFINITY, 0.0_f64), |(least, most), worth| {
+            (least.min(worth), most.max(worth))
+        });
+        let rounding = if least < most { most } else { 0.0 };
+        total >= sum - rounding.max(1e-9 * sum)
+    };
+    if is_sum {
+        return Ok(());
     }
-    Ok(())
+    let column = name_of("total_seconds");
+    let total = cell(row, columns, "total_seconds").unwrap_or_default().to_owned();
+    let sum = format!("{sum:.9}");
+    let sum = sum.trim_end_matches('0').trim_end_matches('.').to_owned();
+    let names: Vec<&str> = known().map(|(name, _)| name).collect();
+    Err(match names[..] {
+        [part] => ImportError::TotalOfPart { line, column, total, part, seconds: sum },
+        _ => ImportError::Total { line, column, total, sum },
+    })
 }
 
 /// Returns the worth of the last digit of a number: 0.01 of `1.25`.
