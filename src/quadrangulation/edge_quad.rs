@@ -170,6 +170,26 @@ mod tests {
     use crate::samples::{sculpted, triangulation};
     use crate::triangulation::TriangleId;
 
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![(-2..3i8).prop_map(f64::from), -1.0..1.0, -1e-60..1e-60, -1e80..1e80]
+    }
+
+    proptest! {
+        /// Squares decide as the cosine does, at its own value and beside it, too.
+        #[test]
+        fn a_quad_is_bent_beyond_what_its_cosine_is_less_than(
+            corners in prop::array::uniform4(prop::array::uniform3(coordinate())),
+        ) {
+            let quad = EdgeQuad { vertices: [0, 1, 2, 3].map(VertexId), corners };
+            let own = quad.fold_cosine();
+            let near = [-1e-6, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-6].map(|step| own + step);
+            for bound in near.into_iter().chain([-0.9, -0.5, 0.0, 0.5, 0.866_025_4, 1.0]) {
+                let expected = quad.cosine().is_some_and(|own| own < bound);
+                prop_assert_eq!(quad.is_bent_beyond(bound), expected, "{} and {}", own, bound);
+            }
+        }
+    }
+
     proptest! {
         #[test]
         fn every_side_has_the_quad_of_its_two_triangles(surface in sculpted()) {
