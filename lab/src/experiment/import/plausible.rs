@@ -14,11 +14,21 @@ pub(super) fn check(
     record: &RunRecord,
 ) -> Result<(), ImportError> {
     let line = row.position().map_or(0, csv::Position::line);
-    let measured = &record.measured;
     let name_of = |column: &str| {
         let place = columns.iter().position(|name| name == column);
         place.map_or(String::new(), |place| header[place].to_owned())
     };
+    check_counts(line, name_of, record)?;
+    check_total(line, name_of("total_seconds"), |column| cell(row, columns, column), record)
+}
+
+/// Refuses counts greater than what they are counted among.
+fn check_counts(
+    line: u64,
+    name_of: impl Fn(&str) -> String,
+    record: &RunRecord,
+) -> Result<(), ImportError> {
+    let measured = &record.measured;
     let triangles = (measured.triangles, 1, "triangles");
     let pairs = (measured.triangles, 2, "triangles, and each takes two");
     let edges = (measured.edges, 1, "edges");
@@ -47,6 +57,17 @@ pub(super) fn check(
             return Err(ImportError::TooMany { line, column, value, mesh, all, what });
         }
     }
+    Ok(())
+}
+
+/// Refuses a total, in the file under the name `column`, that its parts cannot add up to.
+fn check_total<'r>(
+    line: u64,
+    column: String,
+    cell: impl Fn(&str) -> Option<&'r str>,
+    record: &RunRecord,
+) -> Result<(), ImportError> {
+    let measured = &record.measured;
     let is_whole = record.id.job.task() == Task::Convert && record.stopped_after_paths.is_none();
     let Some(total) = measured.total_seconds.filter(|_| is_whole) else { return Ok(()) };
     let parts =
@@ -55,7 +76,7 @@ pub(super) fn check(
     let sum: f64 = known().map(|(_, seconds)| seconds).sum();
     let digits = ["total_seconds", PAIRING, AUGMENTATION]
         .iter()
-        .filter_map(|name| Some(last_digit(cell(row, columns, name)?)));
+        .filter_map(|name| Some(last_digit(cell(name)?)));
     let is_sum = if known().count() == 2 {
         (total - sum).abs() <= digits.sum::<f64>().max(1e-9 * sum)
     } else {
@@ -69,8 +90,7 @@ pub(super) fn check(
     if is_sum {
         return Ok(());
     }
-    let column = name_of("total_seconds");
-    let total = cell(row, columns, "total_seconds").unwrap_or_default().to_owned();
+    let total = cell("total_seconds").unwrap_or_default().to_owned();
     let sum = format!("{sum:.9}");
     let sum = sum.trim_end_matches('0').trim_end_matches('.').to_owned();
     let names: Vec<&str> = known().map(|(name, _)| name).collect();
