@@ -1,4 +1,4 @@
-//! Experiments of somebody's own: what their page shows, what their folder takes, what a name means.
+//! Somebody's own experiments: what their page shows, what a folder takes, which names are known.
 
 use crate::experiment_text::experiment;
 use crate::experiments::Workshop;
