@@ -3,26 +3,23 @@
 use serde::Serialize;
 
 /// An exit code other than 0 and its message.
-#[derive(Serialize)]
 pub struct Failure {
     /// Exit code.
-    #[serde(rename = "exit_code")]
     pub code: u8,
     /// One line for standard error.
     pub message: String,
     /// Parts of the message.
-    #[serde(flatten)]
-    facts: Option<Box<Facts>>,
+    facts: Box<Facts>,
 }
 
-/// Fault of a file, for programs.
-#[derive(Serialize)]
+/// Fault of a file, for programs; what does not apply is null.
+#[derive(Default, Serialize)]
 pub struct Facts {
-    pub file: String,
+    pub file: Option<String>,
     pub law: Option<&'static str>,
     pub element: Option<String>,
     pub count: Option<usize>,
-    pub remedy: String,
+    pub remedy: Option<String>,
 }
 
 impl Failure {
@@ -38,12 +35,12 @@ impl Failure {
 
     /// Makes a failure that ends the process with this exit code.
     pub fn with_code(code: u8, message: String) -> Self {
-        Self { code, message, facts: None }
+        Self { code, message, facts: Box::default() }
     }
 
     /// Adds the parts of the message.
     pub fn with(self, facts: Facts) -> Self {
-        Self { facts: Some(Box::new(facts)), ..self }
+        Self { facts: Box::new(facts), ..self }
     }
 
     /// Returns the failure as JSON on one line.
@@ -51,10 +48,13 @@ impl Failure {
         #[derive(Serialize)]
         struct Record<'a> {
             schema: &'static str,
+            exit_code: u8,
+            message: &'a str,
             #[serde(flatten)]
-            failure: &'a Failure,
+            facts: &'a Facts,
         }
-        let record = Record { schema: "triquad-failure-1", failure: self };
+        let Self { code, message, facts } = self;
+        let record = Record { schema: "triquad-failure-1", exit_code: *code, message, facts };
         serde_json::to_string(&record).expect("text and numbers")
     }
 }

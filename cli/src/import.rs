@@ -68,7 +68,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("imported by", machine::program()),
     ];
     let facts = facts.map(|(name, fact)| (name.to_owned(), fact)).into();
-    let name = import::machine_name(&arguments.algorithm);
+    let algorithm = imported.algorithm.clone();
+    if algorithm != arguments.algorithm {
+        let (file, given) = (arguments.file.display(), &arguments.algorithm);
+        let why = "algorithms of triquad are called so in letters of either case";
+        stdio::note(&format!("{file}: note: {given} is taken as {algorithm}: {why}"));
+    }
+    let name = import::machine_name(&algorithm);
     journal.note_machine(&name, facts).map_err(failure)?;
     journal.note_plan(imported.planned()).map_err(failure)?;
     let cells = imported.planned().len();
@@ -112,7 +118,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         "{}: {} of {} ({task}) on {} taken in{}{replaced}",
         written.page.as_deref().unwrap_or(out).display(),
         counted(rows, "run", "runs"),
-        arguments.algorithm,
+        algorithm,
         counted(cells, "mesh", "meshes"),
         renamed.unwrap_or_default(),
     ))

@@ -235,15 +235,15 @@ pub fn mesh_failure(path: &Path, error: &MeshError) -> Failure {
         MeshError::Expanded(_) => "if it is to be that large, raise the limit with --max-expanded",
         error => error.remedy(),
     };
-    let remedy = remedy.to_owned();
+    let (remedy, element) = (remedy.to_owned(), error.element());
     let problem = match error {
         MeshError::File { error, .. } => return mesh_failure(path, error),
         MeshError::Io(error) => system_problem(error),
         error => error.to_string(),
     };
     let failure = Failure::bad(format!("{}: {problem}; {remedy}", path.display()));
-    let file = path.display().to_string();
-    failure.with(Facts { file, law: None, element: None, count: None, remedy })
+    let file = Some(path.display().to_string());
+    failure.with(Facts { file, element, remedy: Some(remedy), ..Facts::default() })
 }
 
 /// Returns what an error of the operating system is, without its number.
@@ -289,7 +289,7 @@ pub fn refusal(
         mesh.and_then(Mesh::unknown_lines).map(|lines| format!("; not understood: {lines}"));
     let unknown = unknown.unwrap_or_default();
     let message = format!("{file}: {first}{from_one} [{name}]{others}; {remedy}{unknown}");
-    let element = Some(first.element.to_string());
-    let facts = Facts { file, law: Some(name), element, count: Some(first.count), remedy };
-    Failure::bad(message).with(facts)
+    let (law, element) = (Some(name), Some(first.element.to_string()));
+    let (file, count, remedy) = (Some(file), Some(first.count), Some(remedy));
+    Failure::bad(message).with(Facts { file, law, element, count, remedy })
 }

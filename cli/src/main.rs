@@ -18,6 +18,7 @@ mod convert;
 mod draw;
 mod experiments;
 mod failure;
+mod fins;
 mod formats;
 mod generate;
 #[cfg(target_os = "linux")]

@@ -58,7 +58,10 @@ fn end_without(refused: Arguments) -> ! {
 /// Experiments take its words for the mark of a run that was out of memory.
 fn write_line(mut line: &mut [u8], refused: Arguments, json: bool) -> usize {
     let (before, after) = match json {
-        true => ("{\"schema\":\"triquad-failure-1\",\"exit_code\":2,\"message\":\"", "\"}\n"),
+        true => (
+            "{\"schema\":\"triquad-failure-1\",\"exit_code\":2,\"message\":\"",
+            "\",\"file\":null,\"law\":null,\"element\":null,\"count\":null,\"remedy\":null}\n",
+        ),
         false => ("triquad: ", "\n"),
     };
     let remedy = "raise the limit for memory, or use a machine with more";
@@ -68,6 +71,8 @@ fn write_line(mut line: &mut [u8], refused: Arguments, json: bool) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
 
     fn line(json: bool) -> String {
@@ -82,7 +87,7 @@ mod tests {
         assert!(plain.starts_with("triquad: memory allocation of 18446744073709551615 bytes"));
         assert!(plain.ends_with("with more\n") && plain.lines().count() == 1);
         let json: serde_json::Value = serde_json::from_str(&line(true)).unwrap();
-        assert_eq!(json["exit_code"], 2);
+        assert_eq!((&json["exit_code"], json.get("remedy")), (&2.into(), Some(&json!(null))));
     }
 
     #[test]

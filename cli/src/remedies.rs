@@ -6,10 +6,11 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::path::Path;
 
-use triquad::counted::counted;
+use triquad::counted::{counted, listed};
 use triquad::mesh::{Faces, Format};
 use triquad::{Law, Mesh, Survey, Violation};
 
+use crate::fins::Fins;
 use crate::input::{self, Repairs};
 
 /// A mesh that was read and repaired, and is refused.
@@ -19,6 +20,7 @@ pub struct Refused<'a> {
     may_be_cut_off: bool,
     repairs: Repairs,
     welding_distance: OnceCell<Option<f64>>,
+    fins: OnceCell<Fins>,
 }
 
 /// What helps against a broken law.
@@ -86,11 +88,15 @@ impl<'a> Refused<'a> {
     /// Takes a mesh that was read from `path` with `repairs`.
     pub fn new(mesh: &'a Mesh, path: &Path, repairs: Repairs) -> Self {
         let may_be_cut_off = matches!(Format::from_path(path), Ok(Format::Obj));
-        Self { mesh, may_be_cut_off, repairs, welding_distance: OnceCell::new() }
+        let (welding_distance, fins) = (OnceCell::new(), OnceCell::new());
+        Self { mesh, may_be_cut_off, repairs, welding_distance, fins }
     }
 
     /// Returns what helps against a broken law.
     pub fn remedy(&self, violation: &Violation) -> Remedy {
+        if let Some(remedy) = self.without_fins(violation) {
+            return remedy;
+        }
         match violation.law {
             law @ Law::NotEmpty if self.may_be_cut_off => {
                 Remedy::other(format!("{}; {CUT_OFF}", general(law, self.repairs)))
@@ -123,6 +129,34 @@ impl<'a> Refused<'a> {
             }
             Some(_) => remedy.to_string(),
         }
+    }
+
+    /// Returns the advice to remove the fins at the element, if there are any.
+    fn without_fins(&self, violation: &Violation) -> Option<Remedy> {
+        /// Of more faces only the number is told.
+        const SHOWN: usize = 8;
+        if !matches!(violation.law, Law::AtMostTwoFaces | Law::NoBoundary | Law::OneFan) {
+            return None;
+        }
+        let in_file = |face: usize| self.mesh.face_in_file(face);
+        let there =
+            (0..self.mesh.faces().len()).filter(|&face| violation.faces.contains(&in_file(face)));
+        let mut fins = self.fins.get_or_init(|| Fins::of(self.mesh)).at(there);
+        fins.iter_mut().for_each(|face| *face = in_file(*face) + 1);
+        fins.dedup();
+        let mut names: Vec<String> = fins.iter().take(SHOWN).map(usize::to_string).collect();
+        match &names[..] {
+            [] => return None,
+            [face] => {
+                let words = format!("remove face {face}: it hangs on the mesh by one edge alone");
+                return Some(Remedy::other(words));
+            }
+            _ if fins.len() > SHOWN => names.push(format!("{} more", fins.len() - SHOWN)),
+            _ => {}
+        }
+        let faces = listed(&names);
+        let words = format!("remove faces {faces}: they hang on the mesh by one edge alone");
+        Some(Remedy::other(words))
     }
 
     /// Returns what helps against holes that welding does not close. Vertices without faces are

@@ -1,6 +1,6 @@
 //! `triquad run`.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use triquad::clock::SystemClock;
-use triquad::counted::counted;
+use triquad::counted::{counted, listed};
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine::{self, Build};
 use triquad_lab::experiment::plan::{Block, Plan, PlannedRun};
@@ -30,7 +30,8 @@ use crate::{bad_runs, generate, input, interrupt, own_program, report, results_f
 /// after every block, at most every five seconds, the page every minute and at the end.
 ///
 /// Exit code 1 if a run did not end well (timeout, out of memory, crash, invalid result); each is
-/// named. A folder has one run at a time; a second one is refused.
+/// named. A folder has one run at a time; a second one is refused, and so is an experiment of
+/// another name than those that it has.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
                         triquad run experiments/comparison.toml --scale demo --out results/demo\n  \
@@ -56,6 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     let failure = |error: io::Error| results_folder::unwritable(out, &error);
     let mut journal = Journal::open(out).map_err(|error| results_folder::closed(&error))?;
+    refuse_other_experiments(out, &plan, &journal)?;
     complain_of_damage(out, &journal);
     let runner = runner(arguments, &mut journal).map_err(failure)?;
     let view = RunView::new(out);
@@ -64,6 +66,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     executed.map_err(|error| interrupted(out, &error))?;
     view.finish(&journal)?;
     drawn
+}
+
+/// Refuses a folder that has other experiments alone: one page would mix them. What was run
+/// together, or shares an experiment with the folder, belongs together.
+fn refuse_other_experiments(out: &Path, plan: &Plan, journal: &Journal) -> Result<(), Failure> {
+    let (there, new) = (journal.results().experiments(), plan.experiments());
+    if there.is_empty() || new.is_empty() || !there.is_disjoint(&new) {
+        return Ok(());
+    }
+    let names = |experiments: &BTreeSet<&str>| {
+        listed(&experiments.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>())
+    };
+    Err(Failure::bad(format!(
+        "{}: it has results of {}, not of {}; name another folder with --out, or run the \
+         experiment files together to have them on one page",
+        out.display(),
+        names(&there),
+        names(&new)
+    )))
 }
 
 /// Draws what is not drawn yet. Says what cannot be drawn; the runs go on all the same.

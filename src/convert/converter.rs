@@ -230,9 +230,9 @@ impl<'a> Converter<'a> {
             return Ok(Built::Closed(Triangulation::build(mesh)?));
         }
         if !self.open || !survey.is_open_surface(self.orient) {
-            // What is allowed is no reason.
+            // What is allowed is no reason, so it comes last.
             let is_allowed = |law| self.open && matches!(law, Law::NoBoundary | Law::Orientable);
-            survey.violations.retain(|violation| !is_allowed(violation.law));
+            survey.violations.sort_by_key(|violation| is_allowed(violation.law));
             return Err(survey.into());
         }
         if self.orient {

@@ -201,6 +201,7 @@ impl Report {
     /// Writes how many edges to keep were given up, if there were any.
     fn fmt_given_up(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.kept_edges, self.given_up_edges) {
+            (Some(0), _) => write!(f, "; there is no edge to keep"),
             (Some(all), Some(0)) => write!(f, "; none of {} to keep given up", edges(all)),
             (Some(all), Some(lost)) => {
                 write!(f, "; {lost} of {} to keep given up, proved fewest", edges(all))
@@ -241,13 +242,13 @@ impl Report {
             let folded = quality.folded;
             write!(f, "; quality {mean} in the mean, {worst} at worst, {folded} folded")?;
         }
-        write!(
-            f,
-            "; {} of {} over 30 degrees kept; {} of degree 2",
-            sharp.kept,
-            edges(sharp.all),
-            vertices(self.degree_two_vertices),
-        )
+        if sharp.all > 0 {
+            write!(f, "; {} of {} over 30 degrees kept", sharp.kept, edges(sharp.all))?;
+        }
+        match self.degree_two_vertices {
+            0 => Ok(()),
+            count => write!(f, "; {} of degree 2", vertices(count)),
+        }
     }
 
     /// Writes the outcome of a conversion that was stopped.
@@ -385,7 +386,27 @@ impl serde::Serialize for Report {
 
 #[cfg(test)]
 mod tests {
-    use super::three_digits;
+    use super::*;
+    use crate::mesh::Mesh;
+
+    /// What there is nothing of is left out, as far as it was not asked for.
+    #[test]
+    fn a_summary_has_no_empty_parts() {
+        let size = Size { vertices: 8, edges: 18, triangles: 12, genus: 0, components: 1 };
+        let mut report = Report::new(Algorithm::Best, Augmentation::Local, 0, size);
+        report.quality = Some(Quality::new(&Mesh::default()));
+        report.quads = 6;
+        let summary = |report: &Report, all, kept| {
+            let sharp_edges = Some(SharpEdges { all, kept });
+            let summary = Report { sharp_edges, ..report.clone() }.to_string();
+            let (_, shape) = summary.split_once(" folded").unwrap();
+            shape.split_once("; paired in").unwrap().0.to_owned()
+        };
+        assert_eq!(summary(&report, 0, 0), "");
+        assert_eq!(summary(&report, 2, 0), "; 0 of 2 edges over 30 degrees kept");
+        report.degree_two_vertices = 1;
+        assert_eq!(summary(&report, 0, 0), "; 1 vertex of degree 2");
+    }
 
     #[test]
     fn zero_has_no_sign() {

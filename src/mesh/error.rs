@@ -71,6 +71,8 @@ pub enum MeshError {
         place: Place,
         /// The first thing that is missing.
         missing: String,
+        /// The record that is missing or incomplete, by its number from 1: `vertex 2`.
+        element: Option<String>,
     },
     /// The first bytes are those of another kind of file.
     #[error("the file is {content}, by its first bytes")]
@@ -105,6 +107,25 @@ impl MeshError {
                 "if it is to be that large, raise the limit (Reader::max_expanded)"
             }
             Self::TooLarge => "split the mesh into components and convert them one by one",
+        }
+    }
+
+    /// Returns the element at which reading ended, as the message names it: the line or byte of a
+    /// defect, the vertex or face before which the file ends.
+    ///
+    /// ```
+    /// use triquad::mesh::{Format, Mesh};
+    ///
+    /// let error = Mesh::parse(b"OFF\n3 1 0\n0 0 0\n", Format::Off).unwrap_err();
+    /// assert_eq!(error.element().as_deref(), Some("vertex 2"));
+    /// ```
+    pub fn element(&self) -> Option<String> {
+        match self {
+            Self::File { error, .. } => error.element(),
+            Self::Malformed { place: Place::End, .. } => None,
+            Self::Malformed { place, .. } => Some(place.to_string()),
+            Self::Truncated { element, .. } => element.clone(),
+            _ => None,
         }
     }
 

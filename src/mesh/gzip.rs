@@ -40,7 +40,7 @@ impl<R: Read> Expanded<R> {
             _ if self.passed.is_some() => MeshError::Expanded(self.passed.unwrap_or_default()),
             MeshError::Io(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
                 let missing = "its gzip stream does".into();
-                MeshError::Truncated { place: Place::End, missing }
+                MeshError::Truncated { place: Place::End, missing, element: None }
             }
             MeshError::Io(error) => {
                 MeshError::malformed(Place::End, format!("damaged gzip stream: {error}"))

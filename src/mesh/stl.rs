@@ -35,7 +35,7 @@ fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let count = u32::from_le_bytes([header[80], header[81], header[82], header[83]]) as usize;
     let (records, _) = body.as_chunks::<TRIANGLE_BYTES>();
     let Some(records) = records.get(..count) else {
-        return Err(tokens::truncated(format_args!("triangle {} of {count}", records.len() + 1)));
+        return Err(tokens::truncated_record("triangle", records.len(), count));
     };
     let surplus = &body[records.as_flattened().len()..];
     if !is_padding(surplus) {
@@ -134,7 +134,8 @@ impl Text<'_> {
             {
                 return Ok(choice);
             }
-            return Err(first.unexpected(&listed(choices)));
+            let cut_off = choices.iter().find_map(|choice| first.cut_off_within(choice));
+            return Err(cut_off.unwrap_or_else(|| first.unexpected(&listed(choices))));
         }
         Err(tokens::truncated(listed(choices)))
     }
@@ -265,6 +266,9 @@ mod tests {
         assert_eq!(wrong(" endloop", "  vertex"), "line 7: 'vertex' is not 'endloop'");
         assert_eq!(wrong("\nendsolid", "\nend"), "line 9: 'end' is not 'facet' or 'endsolid'");
         assert_eq!(problem(b""), "the file ends before 'solid'");
+        assert_eq!(problem(b"Soli"), "the file ends before the end of the word 'solid'");
+        let cut_off = &good.as_bytes()[..good.find("loop").unwrap() + 2];
+        assert_eq!(problem(cut_off), "the file ends before the end of the word 'loop'");
     }
 
     #[test]

@@ -11,7 +11,14 @@ pub(super) const LINE_ENDS: &str = "the line ends before";
 
 /// Makes the error that the file ends where `missing` should be.
 pub(super) fn truncated(missing: impl Display) -> MeshError {
-    MeshError::Truncated { place: Place::End, missing: missing.to_string() }
+    MeshError::Truncated { place: Place::End, missing: missing.to_string(), element: None }
+}
+
+/// Makes the error that the file ends before or within record `index`, from 0, of `count`.
+pub(super) fn truncated_record(name: &str, index: usize, count: usize) -> MeshError {
+    let element = format!("{name} {}", index + 1);
+    let missing = format!("{element} of {count}");
+    MeshError::Truncated { place: Place::End, missing, element: Some(element) }
 }
 
 /// A text and a position in it. White space separates its words.
@@ -146,6 +153,16 @@ impl<'a> Tokens<'a> {
         let dots = if word.len() > SHOWN { "..." } else { "" };
         let comma = decimal_comma(word);
         self.malformed(format!("'{}{dots}' is not {expected}{comma}", shown.escape_debug()))
+    }
+
+    /// Returns the error that the file ends within the current word, if that is the beginning of
+    /// `whole` in letters of either case.
+    pub(super) fn cut_off_within(&self, whole: &str) -> Option<MeshError> {
+        let word = &self.bytes[self.start..self.position];
+        let start = whole.as_bytes().get(..word.len()).filter(|_| word.len() < whole.len())?;
+        let is_cut_off =
+            !word.is_empty() && self.rest().is_empty() && start.eq_ignore_ascii_case(word);
+        is_cut_off.then(|| truncated(format_args!("the end of the word '{whole}'")))
     }
 
     /// Makes the error that something is wrong with the line of the current word.

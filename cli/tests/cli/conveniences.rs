@@ -8,6 +8,7 @@ use tempfile::TempDir;
 use triquad_generators::{Surface, classic, grids};
 
 use crate::surfaces::face_list;
+use crate::workshop::assert_has_fields;
 
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
@@ -194,6 +195,7 @@ fn failures_are_json_where_that_is_asked_for() {
             (&failure["schema"], &failure["exit_code"]),
             (&"triquad-failure-1".into(), &code.into())
         );
+        assert_has_fields(&failure, &["message", "file", "law", "element", "count", "remedy"]);
         failure
     };
     let refused = failure("convert open.obj --json", 2);
@@ -203,6 +205,20 @@ fn failures_are_json_where_that_is_asked_for() {
     let message = refused["message"].as_str().unwrap();
     assert!(message.ends_with(refused["remedy"].as_str().unwrap()), "{message}");
     assert_eq!(failure("--json info missing.obj", 2)["file"], "missing.obj");
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+               property float z\nend_header\n0 0 0\n1 0";
+    let stl = [&[0; 80][..], &[2, 0, 0, 0], &[0; 60]].concat();
+    for (file, content, element) in [
+        ("cut.ply", ply.as_bytes(), "vertex 2"),
+        ("cut.off", b"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "face 2"),
+        ("cut.stl", &stl, "triangle 2"),
+        ("wrong.off", b"OFF\n3 1 0\n0 0 x\n", "line 3"),
+    ] {
+        std::fs::write(folder.path().join(file), content).unwrap();
+        let failure = failure(&format!("info {file} --json"), 2);
+        assert_eq!((&failure["element"], &failure["law"]), (&element.into(), &Value::Null));
+        assert!(failure["message"].as_str().unwrap().contains(element), "{failure}");
+    }
     assert_eq!(failure("check ring.obj --against ring.obj --json", 1)["exit_code"], 1);
     let usage = failure("convert --json", 2);
     assert!(usage["message"].as_str().unwrap().contains("required"), "{usage}");

@@ -129,7 +129,7 @@ fn an_open_mesh_is_refused_with_what_experiments_take() {
     std::fs::write(shop.path("open.toml"), text).unwrap();
     std::fs::write(shop.path("open.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").unwrap();
     let said = shop.refused("plan open.toml");
-    assert!(said.contains(" tiny: open.off: edge "), "no ./ before it: {said}");
+    assert!(said.contains(" open.toml: line 10: open.off: edge "), "no ./ before it: {said}");
     assert!(said.ends_with("; experiments take closed triangle meshes\n"), "{said}");
 }
 
@@ -336,8 +336,20 @@ fn what_cannot_be_planned_or_run_is_refused_in_one_line() {
     let bad = EXPERIMENT.replace("\"A5\"", "\"A9\"");
     std::fs::write(shop.path("bad.toml"), bad).unwrap();
     let said = shop.refused("run bad.toml");
-    assert!(said.contains("\"A9\" is no mesh of the papers"), "{said}");
+    assert!(said.contains("bad.toml: line 10: \"A9\" is no mesh of the papers"), "{said}");
     assert_eq!(said.matches("--data").count(), 1, "{said}");
+    for (from, to, fault) in [
+        ("\"A5\"", "\"A55\"", "line 10: \"A55\" is no mesh of the papers"),
+        ("\"A5\"", "\"a5\"", "or take it out, or \"A5\" is meant"),
+        ("\"gw\"", "\"gww\"", "line 16: \"gww\" is none of "),
+        ("\"gw\"", "\"gww\"", "; the nearest is \"gw\""),
+        ("lrs few-flips", "lrs few-flip", "line 16: \"few-flip\" is none of printed, few-flips"),
+        ("meshes = ", "files = [\"no.obj\"]\nmeshes = ", "bad.toml: line 10: no.obj: "),
+    ] {
+        std::fs::write(shop.path("bad.toml"), EXPERIMENT.replacen(from, to, 1)).unwrap();
+        let said = shop.refused("plan bad.toml");
+        assert!(said.contains("bad.toml: line ") && said.contains(fault), "{said}");
+    }
     std::fs::write(shop.path("torn.toml"), "name = ").unwrap();
     assert!(shop.refused("plan torn.toml").contains("torn.toml: line 1: "));
     assert!(shop.refused("run missing.toml").contains("missing.toml: "));

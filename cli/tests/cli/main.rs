@@ -3,6 +3,7 @@
 mod adversary;
 mod aims;
 mod cases_of_arguments;
+mod cases_of_experiments;
 mod cases_of_newcomers;
 mod cases_of_readers;
 mod conveniences;

@@ -76,6 +76,11 @@ impl UnknownNameError {
         Self { name: name.into(), known: known.join(", "), nearest }
     }
 
+    /// Returns the name that is not known.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
     /// Adds names that there are too.
     pub(crate) fn with<'n>(&self, more: impl Iterator<Item = &'n str>) -> Self {
         let more: Vec<&str> = more.collect();

@@ -17,6 +17,7 @@ pub mod machine;
 pub mod measured;
 pub mod merge;
 mod own_run;
+mod places;
 pub mod plan;
 pub mod planned_mesh;
 pub mod process;

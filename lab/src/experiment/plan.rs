@@ -12,6 +12,7 @@ use super::run_id::{MeshId, RunId};
 use super::spec::{Experiment, Limits, MeshGroup, RunSpec};
 use crate::algorithms::AlgorithmFacts;
 use crate::meshes::paper::{self, Scale};
+use crate::nearest::slip_of;
 use triquad::random::Random;
 
 /// The runs to do, block by block.
@@ -92,7 +93,7 @@ impl Plan {
             }
             if let Some(name) = &experiment.pictures {
                 let pictured = plan.pictured(experiment, name);
-                plan.pictured.push(pictured.ok_or_else(|| unknown(experiment, name))?);
+                plan.pictured.push(pictured.ok_or_else(|| not_run(experiment, name))?);
             }
         }
         plan.remark_unused(data);
@@ -125,10 +126,10 @@ impl Plan {
         let mut meshes = Vec::new();
         for name in &group.meshes {
             let mesh = self.find_mesh(name, data);
-            meshes.push(mesh.ok_or_else(|| unknown(experiment, name))?);
+            meshes.push(mesh.ok_or_else(|| unknown(experiment, name, data))?);
         }
         for path in &group.files {
-            meshes.push(PlannedMesh::of_file(&experiment.name, path)?);
+            meshes.push(PlannedMesh::of_file(path, || experiment.place_of_file(path))?);
         }
         if group.other_data && self.scale == Scale::Full {
             let own: Vec<String> = meshes.iter().map(|mesh| mesh.name.clone()).collect();
@@ -247,6 +248,11 @@ impl Plan {
         }
     }
 
+    /// Returns the names of the experiments, in order.
+    pub fn experiments(&self) -> BTreeSet<&str> {
+        self.blocks.iter().map(|block| block.id.experiment.as_str()).collect()
+    }
+
     /// Returns one row for each mesh and job.
     pub fn rows(&self) -> Vec<Planned> {
         let row = |block: &Block, run: &PlannedRun| Planned {
@@ -275,8 +281,18 @@ impl Block {
     }
 }
 
-fn unknown(experiment: &Experiment, name: &str) -> MissingMeshError {
-    MissingMeshError::Unknown { experiment: experiment.name.clone(), name: name.into() }
+/// Makes the error that a mesh of a group is not known.
+fn unknown(experiment: &Experiment, name: &str, data: &[DataMesh]) -> MissingMeshError {
+    let known = paper::ALL.iter().map(|mesh| mesh.name);
+    let known = known.chain(data.iter().map(|mesh| mesh.name.as_str()));
+    let nearest = paper::called(name).map(|mesh| mesh.name).or_else(|| slip_of(name, known));
+    let (place, nearest) = (experiment.place_of_mesh(name), nearest.map(str::to_owned));
+    MissingMeshError::Unknown { place, name: name.into(), nearest }
+}
+
+/// Makes the error that the mesh whose results are to be drawn is in no group.
+fn not_run(experiment: &Experiment, name: &str) -> MissingMeshError {
+    MissingMeshError::NotRun { place: experiment.place_of_mesh(name), name: name.into() }
 }
 
 /// Returns the seed of a run. It depends on names alone and is the same for each augmentation, so
@@ -428,5 +444,18 @@ mod tests {
         let expected = "x: \"A9\" is no mesh of the papers and in no data folder; name its folder \
                         with --data, or take it out";
         assert_eq!(error.to_string(), expected);
+        for (name, data, meant) in [
+            ("A55", vec![], "A5"),
+            ("ir_b0", vec![], "ir-B0"),
+            ("chairs", vec![real("chair", 9, 0)], "chair"),
+        ] {
+            let unknown = experiment(&GROUPS.replace("A5", name));
+            let error = Plan::new(&[unknown], Scale::Full, &data).unwrap_err().to_string();
+            assert_eq!(error, expected.replace("A9", name) + &format!(", or {meant:?} is meant"));
+        }
+        let mut drawn = experiment(GROUPS);
+        drawn.pictures = Some("eros".into());
+        let error = Plan::new(&[drawn], Scale::Full, &[]).unwrap_err().to_string();
+        assert!(error.starts_with("x: pictures is \"eros\", and no group has it"), "{error}");
     }
 }

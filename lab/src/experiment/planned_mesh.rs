@@ -35,20 +35,31 @@ pub enum Source {
 pub enum MissingMeshError {
     /// A name is neither that of a mesh of the papers nor that of a file in a data folder.
     #[error(
-        "{experiment}: {name:?} is no mesh of the papers and in no data folder; name its folder \
-         with --data, or take it out"
+        "{place}: {name:?} is no mesh of the papers and in no data folder; name its folder with \
+         --data, or take it out{}",
+        .nearest.as_ref().map_or(String::new(), |one| format!(", or {one:?} is meant"))
     )]
     Unknown {
-        /// The experiment.
-        experiment: String,
+        /// File and line, or the experiment.
+        place: String,
         /// The name.
+        name: String,
+        /// The known mesh that is probably meant.
+        nearest: Option<String>,
+    },
+    /// The mesh whose results are to be drawn is in no group.
+    #[error("{place}: pictures is {name:?}, and no group has it; add it to one, or name another")]
+    NotRun {
+        /// File and line, or the experiment.
+        place: String,
+        /// The mesh.
         name: String,
     },
     /// A file that an experiment names is no mesh that can be converted.
-    #[error("{experiment}: {}: {problem}", path.display())]
+    #[error("{place}: {}: {problem}", path.display())]
     File {
-        /// The experiment.
-        experiment: String,
+        /// File and line, or the experiment.
+        place: String,
         /// The file.
         path: PathBuf,
         /// The fault.
@@ -57,17 +68,16 @@ pub enum MissingMeshError {
 }
 
 impl PlannedMesh {
-    /// Reads the mesh that an experiment names by its file.
+    /// Reads the mesh that an experiment names by its file; `place` says where it does.
     ///
     /// # Errors
     /// The file cannot be read, or is no mesh that can be converted.
-    pub fn of_file(experiment: &str, path: &Path) -> Result<Self, MissingMeshError> {
+    pub fn of_file(path: &Path, place: impl FnOnce() -> String) -> Result<Self, MissingMeshError> {
         let mesh = DataMesh::of_file(path.to_owned());
         match mesh.problem {
             None => Ok(Self::real(&mesh)),
             Some(problem) => {
-                let (experiment, path) = (experiment.to_owned(), path.to_owned());
-                Err(MissingMeshError::File { experiment, path, problem })
+                Err(MissingMeshError::File { place: place(), path: path.to_owned(), problem })
             }
         }
     }

@@ -151,7 +151,7 @@ impl ProgramSpec {
         if self.name.is_empty() || !self.name.bytes().all(is_plain) {
             return Err(ProgramSpecError::Name(name()));
         }
-        if Job::named(&self.name).is_ok() {
+        if Job::named(&self.name.to_lowercase()).is_ok() {
             return Err(ProgramSpecError::Taken(name()));
         }
         if self.task != task {
@@ -276,8 +276,10 @@ mod tests {
         assert!(fault("\"run {quads}\"").contains("does not say where {mesh} goes"));
         assert!(fault("\"run {mesh}\"").contains("does not say where {quads} goes"));
         assert!(fault("\"run {mesh} {quads} {sed}\"").contains("the place {sed}; there are"));
-        let taken = ProgramSpec { name: "ps".into(), ..spec("\"run {mesh} {quads}\"") };
-        assert!(matches!(taken.check(Task::Convert), Err(ProgramSpecError::Taken(_))));
+        for name in ["ps", "PS"] {
+            let taken = ProgramSpec { name: name.into(), ..spec("\"run {mesh} {quads}\"") };
+            assert!(matches!(taken.check(Task::Convert), Err(ProgramSpecError::Taken(_))));
+        }
         let other = spec("\"run {mesh} {quads}\"").check(Task::Irreducible);
         assert!(matches!(other, Err(ProgramSpecError::OtherTask(_))));
         let named = ProgramSpec { name: "a\nb".into(), ..spec("\"run {mesh} {quads}\"") };

@@ -1,7 +1,7 @@
 //! A folder of results: `runs.csv`, one row a run; `plan.csv`, the planned runs; `machines.json`,
 //! where they ran.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -110,6 +110,17 @@ impl RunIndex {
 }
 
 impl Results {
+    /// Returns the names of the experiments whose runs are planned or done here, in order. Imported
+    /// rows belong to none. O(n).
+    pub fn experiments(&self) -> BTreeSet<&str> {
+        let (imported, run): (Vec<_>, Vec<_>) =
+            self.records.iter().partition(|record| record.is_imported());
+        let imported: HashSet<&RunId> = imported.into_iter().map(|record| &record.id).collect();
+        let planned = self.planned.iter().map(|row| &row.id).filter(|id| !imported.contains(id));
+        let run = run.into_iter().map(|record| &record.id);
+        planned.chain(run).map(|id| id.mesh.experiment.as_str()).collect()
+    }
+
     /// Reads `runs.csv`, `plan.csv` and `machines.json` in `folder`; the latter two may be absent.
     /// O(n).
     ///

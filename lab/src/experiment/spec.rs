@@ -33,6 +33,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use super::job::{self, Job, UnknownNameError};
+use super::places;
 use super::program_spec::{ProgramSpec, ProgramSpecError};
 use super::spec_error::{SpecError, SpecFileError};
 use super::task::Task;
@@ -69,6 +70,16 @@ pub struct Experiment {
     /// Remarks on keys that have no effect, with file and line.
     #[serde(skip)]
     pub remarks: Vec<String>,
+    /// The file, to name places in it.
+    #[serde(skip)]
+    pub(super) file: SpecFile,
+}
+
+/// An experiment file as it was read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct SpecFile {
+    path: PathBuf,
+    text: String,
 }
 
 /// When a run is stopped.
@@ -147,6 +158,7 @@ impl Experiment {
             let folder = path.parent().unwrap_or(Path::new(""));
             let files = experiment.groups.iter_mut().flat_map(|group| &mut group.files);
             files.for_each(|file| *file = folder.join(&*file));
+            experiment.file.path = path.to_owned();
             let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
             experiment.programs.iter_mut().for_each(|program| here.clone_into(&mut program.here));
             for remark in &mut experiment.remarks {
@@ -164,9 +176,35 @@ impl Experiment {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             SpecError::Syntax { line, message: error.message().into() }
         })?;
-        experiment.check()?;
+        experiment.check().map_err(|error| match error {
+            SpecError::UnknownName { list, error, .. } => {
+                let line = places::line_of_job(&experiment, text, list, error.name());
+                SpecError::UnknownName { line, list, error }
+            }
+            error => error,
+        })?;
         experiment.remarks = unused_keys::check(&experiment, text)?;
+        experiment.file.text = text.to_owned();
         Ok(experiment)
+    }
+
+    /// Returns where a mesh is named: file and line; else the name of the experiment.
+    pub(super) fn place_of_mesh(&self, name: &str) -> String {
+        self.place(places::line_of_mesh(self, &self.file.text, name))
+    }
+
+    /// Returns where a mesh file is named.
+    pub(super) fn place_of_file(&self, path: &Path) -> String {
+        self.place(places::line_of_file(self, &self.file.text, path))
+    }
+
+    fn place(&self, line: Option<usize>) -> String {
+        match line {
+            Some(line) if !self.file.text.is_empty() => {
+                format!("{}: line {line}", self.file.path.display())
+            }
+            _ => self.name.clone(),
+        }
     }
 
     fn check(&self) -> Result<(), SpecError> {
@@ -269,20 +307,24 @@ impl RunSpec {
         programs: &[ProgramSpec],
     ) -> Result<Vec<Job>, SpecError> {
         let names = programs.iter().map(|program| program.name.as_str());
-        let or_program = |error: UnknownNameError| error.with(names);
+        let unknown =
+            |list| move |error| SpecError::UnknownName { line: None, list, error: Box::new(error) };
+        let or_program = |error: UnknownNameError| unknown("algorithms")(error.with(names));
         let mut jobs = Vec::new();
         match task {
             Task::Convert => {
                 let algorithm = job::find_conversion(name).map_err(or_program)?;
                 for augmentation in &self.augmentations {
-                    let augmentation = job::find_augmentation(augmentation)?;
+                    let augmentation = job::find_augmentation(augmentation);
+                    let augmentation = augmentation.map_err(unknown("augmentations"))?;
                     jobs.push(Job::Convert { algorithm, augmentation });
                 }
             }
             Task::Irreducible => {
                 let method = job::find_method(name).map_err(or_program)?;
                 for order in &self.orders {
-                    jobs.push(Job::Reduce { method, order: job::find_order(order)? });
+                    let order = job::find_order(order).map_err(unknown("orders"))?;
+                    jobs.push(Job::Reduce { method, order });
                 }
             }
         }
@@ -388,10 +430,18 @@ mod tests {
         assert!(problem("seed = 1", "seed = -1").starts_with("line 5: "));
         assert!(problem("seed", "sed").contains("unknown field `sed`"));
         let all = Algorithm::ALL.map(Algorithm::id).join(", ");
-        let unknown = format!("\"pss\" is none of {all}; the nearest is \"ps\"");
+        let unknown = format!("line 13: \"pss\" is none of {all}; the nearest is \"ps\"");
         assert_eq!(problem("\"ps\"", "\"pss\""), unknown);
-        assert!(problem("few-flips", "none").starts_with("\"none\" is none of printed, few-flips"));
-        assert!(problem("\"local\"", "\"far\"").starts_with("\"far\" is none of local, tarjan"));
+        assert!(
+            problem("few-flips", "none")
+                .starts_with("line 13: \"none\" is none of printed, few-flips")
+        );
+        assert!(
+            problem("\"local\"", "\"far\"")
+                .starts_with("line 14: \"far\" is none of local, tarjan")
+        );
+        // A name that another list knows.
+        assert!(problem("\"local\"", "\"ps\"").starts_with("line 14: \"ps\" is none of local"));
         assert!(problem("timeout_seconds = 9", "timeout_seconds = 0").contains("from 1 to"));
         assert!(
             problem("memory_gigabytes = 2", "memory_gigabytes = 36028797018963968")

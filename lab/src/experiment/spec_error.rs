@@ -31,8 +31,15 @@ pub enum SpecError {
         message: String,
     },
     /// A name is not known.
-    #[error(transparent)]
-    UnknownName(#[from] UnknownNameError),
+    #[error("{}{error}", line.map_or(String::new(), |line| format!("line {line}: ")))]
+    UnknownName {
+        /// Line, from 1, where it is known.
+        line: Option<usize>,
+        /// The list that has it.
+        list: &'static str,
+        /// The fault.
+        error: Box<UnknownNameError>,
+    },
     /// A program is described badly.
     #[error(transparent)]
     Program(#[from] ProgramSpecError),

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::data_folder::name_of;
+use super::places::{Step, item, line_of};
 use super::program_spec::ProgramSpec;
 use super::spec::{Experiment, MeshGroup, RunSpec};
 use super::spec_error::SpecError;
@@ -23,21 +24,6 @@ pub(super) fn check(experiment: &Experiment, text: &str) -> Result<Vec<String>, 
         remarks.push(found.to_string());
     }
     Ok(remarks)
-}
-
-/// A step from a table or a list to what is in it.
-enum Step {
-    Key(String),
-    Item(usize),
-}
-
-impl Step {
-    fn key(&self) -> Option<&str> {
-        match self {
-            Self::Key(key) => Some(key),
-            Self::Item(_) => None,
-        }
-    }
 }
 
 /// A key without effect.
@@ -70,10 +56,6 @@ fn all(experiment: &Experiment) -> Vec<Unused> {
     }
     found.extend(in_programs(experiment));
     found
-}
-
-fn item(key: &str, at: usize) -> [Step; 2] {
-    [Step::Key(key.into()), Step::Item(at)]
 }
 
 /// Returns programs that no run names, and those whose statistics nobody reads.
@@ -143,34 +125,6 @@ fn unknown_meshes<V>(key: &str, table: &BTreeMap<String, V>, group: &MeshGroup) 
         Unused { path, why, is_fault: true }
     };
     unknown.map(unused).collect()
-}
-
-/// Returns the line, from 1, of a key or table in a TOML file.
-fn line_of(text: &str, path: &[Step]) -> usize {
-    let Ok(document) = toml::de::DeTable::parse(text) else { return 1 };
-    let mut start = 0;
-    let mut table = Some(document.get_ref());
-    let mut list: Option<&toml::de::DeArray> = None;
-    for step in path {
-        let value = match step {
-            Step::Key(key) => {
-                let entry = table.and_then(|table| {
-                    table.iter().find(|(name, _)| name.get_ref().as_ref() == key.as_str())
-                });
-                let Some((name, value)) = entry else { break };
-                start = name.span().start;
-                value
-            }
-            Step::Item(at) => {
-                let Some(value) = list.and_then(|list| list.get(*at)) else { break };
-                start = value.span().start;
-                value
-            }
-        };
-        table = value.get_ref().as_table();
-        list = value.get_ref().as_array();
-    }
-    1 + text[..start].matches('\n').count()
 }
 
 #[cfg(test)]

@@ -21,6 +21,8 @@ pub enum Note {
     Incomplete,
     /// The paper prints PS and LRS only.
     TwoOfFour,
+    /// The paper's tables have no runs with another augmentation than its own.
+    TarjanOnly,
     /// Ratios are between two machines.
     OtherMachine,
 }
@@ -78,6 +80,10 @@ impl Note {
             }
             Self::Incomplete => "Runs that are missing or did not end well: see the outcomes.",
             Self::TwoOfFour => "The paper measured SG and DS too, but does not print their rows.",
+            Self::TarjanOnly => {
+                "This table has runs with tarjan, the augmentation as published; \
+                 table_augmentation.csv has those with local, too."
+            }
             Self::OtherMachine => {
                 "Seconds of the paper are of another machine and are not compared. Under a mean \
                  stand the quartiles of its runs."

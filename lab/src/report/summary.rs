@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::HashMap;
 
 use super::statistics::Statistics;
+use crate::experiment::import::machine_name;
 use crate::experiment::{Job, Measured, MeshId, Outcome, Results, RunId, RunRecord};
 use crate::meshes::paper::Scale;
 use crate::meshes::{self, Origin};
@@ -128,6 +129,11 @@ impl Summary {
         self.of_paper(paper).filter(move |cell| cell.group == group)
     }
 
+    /// Returns whether there are results, and none belongs to the papers' experiments. O(cells).
+    pub fn is_own(&self) -> bool {
+        !self.cells.is_empty() && !self.cells.iter().any(Cell::is_of_paper)
+    }
+
     /// Returns whether some row was run beside others on the same machine: times are not ranked.
     pub fn is_parallel(&self) -> bool {
         self.cells.iter().any(Cell::is_parallel)
@@ -148,6 +154,21 @@ impl Cell {
     /// Returns the name of its mesh, marked if it is a stand-in.
     pub fn marked_mesh(&self) -> String {
         format!("{}{}", self.mesh(), self.origin.map_or("", Origin::dagger))
+    }
+
+    /// Returns whether a paper has the experiment and the mesh, and the algorithm is ours.
+    fn is_of_paper(&self) -> bool {
+        let paper = Paper::on(self.id.job.task());
+        self.id.mesh.experiment == paper.experiment()
+            && self.group != "data"
+            && !self.id.job.is_program()
+            && !self.was_imported()
+    }
+
+    /// Returns whether somebody else measured its runs.
+    pub fn was_imported(&self) -> bool {
+        let source = machine_name(self.id.job.facts().name);
+        self.runs.iter().any(|run| run.machine == source)
     }
 
     /// Returns the label of its job: `PS`, `LRS few-flips`, `PS local`, `RS random`.

@@ -55,13 +55,19 @@ impl Header {
     }
 }
 
+/// First words of files that are read.
+const WORDS: [&str; 8] = ["OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"];
+
 /// Reads `OFF` and the letters before it; returns what they announce.
 fn read_header_word(tokens: &mut Tokens) -> Result<Vec<Extra>, MeshError> {
     let word = tokens.next_word().ok_or_else(|| tokens::truncated("the header"))?;
     let off = memchr::memmem::find(word, b"OFF");
     let Some(letters) = off.or_else(|| word.eq_ignore_ascii_case(b"off").then_some(0)) else {
         // The header word may be missing; then this is the number of vertices already.
-        tokens::count(word).ok_or_else(|| tokens.unexpected("an OFF header"))?;
+        tokens::count(word).ok_or_else(|| {
+            let cut_off = WORDS.iter().find_map(|whole| tokens.cut_off_within(whole));
+            cut_off.unwrap_or_else(|| tokens.unexpected("an OFF header"))
+        })?;
         tokens.split_word(0);
         return Ok(Vec::new());
     };

@@ -63,7 +63,7 @@ fn read_positions(
     let mut any_extra = false;
     for vertex in 0..count {
         let Some(word) = tokens.next_word() else {
-            return Err(tokens::truncated(format_args!("vertex {} of {count}", vertex + 1)));
+            return Err(tokens::truncated_record("vertex", vertex, count));
         };
         let x = tokens::float(word).ok_or_else(|| tokens.unexpected("a coordinate"))?;
         let y = tokens.read_in_line("a coordinate", tokens::float)?;
@@ -82,7 +82,7 @@ fn read_faces(tokens: &mut Tokens, count: usize, faces: &mut Faces) -> Result<bo
     let mut any_extra = false;
     for face in 0..count {
         let Some(word) = tokens.next_word() else {
-            return Err(tokens::truncated(format_args!("face {} of {count}", face + 1)));
+            return Err(tokens::truncated_record("face", face, count));
         };
         let arity = tokens::count(word).ok_or_else(|| tokens.unexpected("a number of corners"))?;
         for _ in 0..arity {

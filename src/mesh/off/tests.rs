@@ -57,6 +57,8 @@ fn numbers_behind_coordinates_are_named() {
 
 #[test]
 fn unknown_headers_are_refused() {
+    assert_eq!(problem(b"STO"), "the file ends before the end of the word 'STOFF'");
+    assert_eq!(problem(b"of"), "the file ends before the end of the word 'OFF'");
     assert_eq!(problem(b"OFF BINARY\n"), "line 1: binary OFF files are not read, only text");
     assert_eq!(
         problem(b"#\n4OFF 1"),

@@ -190,7 +190,8 @@ pub(super) struct Header {
 impl Header {
     /// Reads up to the first byte of data.
     pub(super) fn read(tokens: &mut Tokens) -> Result<Self, MeshError> {
-        tokens.read("'ply'", |word| (word == b"ply").then_some(()))?;
+        let first = tokens.read("'ply'", |word| (word == b"ply").then_some(()));
+        first.map_err(|error| tokens.cut_off_within("ply").unwrap_or(error))?;
         let returns_alone = tokens.ends_with_return();
         let (encoding, elements) = Self::read_lines(tokens).map_err(|error| match error {
             // Half a word is wrong only because the file was cut off.

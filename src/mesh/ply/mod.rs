@@ -133,7 +133,7 @@ fn for_each_record(
         read().map_err(|error| match error {
             MeshError::Truncated { .. } => {
                 let Element { name, count, .. } = element;
-                tokens::truncated(format_args!("{name} {} of {count}", record + 1))
+                tokens::truncated_record(name, record, *count)
             }
             other => other,
         })?;

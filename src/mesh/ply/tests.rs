@@ -264,12 +264,14 @@ fn header_errors_name_their_line() {
 fn a_header_that_is_cut_off_anywhere_is_truncated() {
     for bytes in all_encodings(TRIANGLE, "i32:0 i32:0 i32:0 f32:2e9 i32:7") {
         let end = memchr::memmem::find(&bytes, b"end_header").unwrap() + "end_header".len();
-        for length in 3..end {
+        for length in 0..end {
             let error = read(&bytes[..length]).unwrap_err();
             let cut = bytes[..length].escape_ascii();
             assert!(matches!(error, MeshError::Truncated { .. }), "{cut}: {error}");
         }
     }
+    assert_eq!(problem(b"pl"), "the file ends before the end of the word 'ply'");
+    assert_eq!(problem(b"pl\n"), "line 1: 'pl' is not 'ply'");
     assert_eq!(
         problem(b"ply\nformat ascii 1.0\nelement vertex 1\nproperty fl"),
         "the file ends before end_header"

@@ -110,6 +110,50 @@ fn no_remedy_is_on_already_and_the_options_that_info_names_work() {
 }
 
 #[test]
+fn faces_that_hang_by_an_edge_are_the_ones_to_remove() {
+    let workshop = Workshop::new();
+    let with = |faces: &str| format!("{TETRAHEDRON}v 2 0 0\nv 0 2 0\n{faces}");
+    for (fins, advice) in [
+        ("f 1 2 5\n", "remove face 5: it hangs on the mesh by one edge alone"),
+        ("f 6 1 5\nf 1 2 5\n", "remove faces 5 and 6: they hang on the mesh by one edge alone"),
+    ] {
+        workshop.put("in.obj", with(fins));
+        let stdout = String::from_utf8(workshop.run("info in.obj").stdout).unwrap();
+        // The overfull edge, the boundary and the fans.
+        assert_eq!(stdout.matches(advice).count(), 3, "{stdout}");
+        for verb in ["convert in.obj", "convert in.obj --open", "check in.obj --against in.obj"] {
+            assert_contains(&workshop.fail(verb, 2), &["[overfull-edge]", advice], verb);
+        }
+    }
+    // Of two faces at one edge none is known to be too many.
+    workshop.put("in.obj", with("f 1 2 5\nf 5 6 1\nf 2 6 5\nf 6 2 1\n"));
+    assert_contains(&workshop.fail("convert in.obj", 2), &["separate the sheets"], "two solids");
+}
+
+/// What `--open` allows is a broken law in `info` all the same.
+#[test]
+fn other_laws_are_as_many_as_info_lists() {
+    let workshop = Workshop::new();
+    let fan = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n";
+    let bow_tie = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n";
+    for mesh in [fan, bow_tie] {
+        workshop.put("in.obj", mesh);
+        let laws = workshop.json("info in.obj --json", 2)["violations"].as_array().unwrap().len();
+        assert_contains(&workshop.run("info in.obj").stderr, &[&format!("{laws} laws")], "info");
+        let others = match laws {
+            2 => "(and 1 other law is broken, see".into(),
+            laws => format!("(and {} other laws are broken, see", laws - 1),
+        };
+        for options in ["", "--open", "--open --orient"] {
+            let line = workshop.fail(&format!("convert in.obj {options}"), 2);
+            assert_contains(&line, &[&others], options);
+        }
+    }
+    let line = workshop.fail("convert in.obj --open", 2);
+    assert_contains(&line, &["[several-fans]"], "what is allowed is not the reason");
+}
+
+#[test]
 fn a_remedy_that_does_not_suffice_says_so() {
     let workshop = Workshop::new();
     // A degenerate face, and two solids that share a vertex.

@@ -39,9 +39,23 @@ pub struct ImportSettings {
     pub allows_other_meshes: bool,
 }
 
+impl ImportSettings {
+    /// Returns the settings with an algorithm of ours under the name that we give it: case does not
+    /// matter.
+    fn with_our_name(&self) -> Self {
+        let ours = self.algorithm.to_lowercase();
+        let job = Job::named(&ours).ok();
+        let is_ours = job.is_some_and(|job| self.task.is_none_or(|task| task == job.task()));
+        let algorithm = if is_ours { ours } else { self.algorithm.clone() };
+        Self { algorithm, ..self.clone() }
+    }
+}
+
 /// Rows that were read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported {
+    /// Name of the algorithm in the rows.
+    pub algorithm: String,
     /// One row a run.
     pub records: Vec<RunRecord>,
     /// Counts that were no whole numbers, as means are not, and were rounded.
@@ -126,6 +140,7 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
     if !is_name(&settings.algorithm) {
         return Err(ImportError::Name(settings.algorithm.clone()));
     }
+    let settings = &settings.with_our_name();
     let text = text.trim_start_matches('\u{feff}');
     if let Some(separator) = foreign_separator(text) {
         return Err(ImportError::Separator(separator));
@@ -141,6 +156,7 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
     let (columns, renamed) = with_times_of(job.task(), columns);
     let names = StringRecord::from(columns.clone());
     let mut imported = Imported {
+        algorithm: settings.algorithm.clone(),
         records: Vec::new(),
         rounded: 0,
         renamed,

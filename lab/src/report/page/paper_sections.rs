@@ -182,7 +182,6 @@ pub fn own_tables(parts: &Parts) -> Vec<TableView> {
 /// Returns the title of a table without what it says of the papers and their edge flips.
 fn own_title(table: &ReportTable) -> &'static str {
     match table.file {
-        "table_data.csv" => "Times and unpaired triangles",
         "table_quality.csv" => "Scaled Jacobian of the quads by algorithm",
         _ => table.title,
     }

@@ -1,8 +1,6 @@
 //! Topic of the page: the papers' experiments, or somebody's own.
 
-use crate::experiment::import::machine_name;
-use crate::paper::Paper;
-use crate::report::summary::{Cell, Summary};
+use crate::report::summary::Summary;
 
 /// Topic of the page.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,12 +14,12 @@ pub enum Topic {
 impl Topic {
     /// Returns the topic of these records; without any, it is the papers. O(cells · names).
     pub fn of(summary: &Summary) -> Self {
-        if summary.cells().is_empty() || summary.cells().iter().any(is_of_paper) {
+        if !summary.is_own() {
             return Self::Papers;
         }
         let mut names: Vec<String> = Vec::new();
         for cell in summary.cells() {
-            let name = match was_imported(cell) {
+            let name = match cell.was_imported() {
                 true => cell.id.job.facts().label,
                 false => &cell.id.mesh.experiment,
             };
@@ -44,18 +42,4 @@ impl Topic {
     pub fn is_own(&self) -> bool {
         matches!(self, Self::Own(_))
     }
-}
-
-/// Returns whether a paper has the experiment and the mesh, and the algorithm is ours.
-fn is_of_paper(cell: &Cell) -> bool {
-    let paper = Paper::on(cell.id.job.task());
-    cell.id.mesh.experiment == paper.experiment()
-        && cell.group != "data"
-        && !cell.id.job.is_program()
-        && !was_imported(cell)
-}
-
-fn was_imported(cell: &Cell) -> bool {
-    let source = machine_name(cell.id.job.facts().name);
-    cell.runs.iter().any(|run| run.machine == source)
 }

@@ -99,10 +99,22 @@ pub fn quotient_of<'c, P>(
     })
 }
 
+/// Words for a cell that is in no plan and has no run.
+pub const NOT_PLANNED: &str = "not planned";
+
 /// Returns a column of how the runs of a cell ended, or `not planned`.
-pub fn outcomes<'c, P>(name: impl Into<String>, at: usize) -> ColumnOf<'c, P> {
+pub fn outcomes<'c, P: 'c>(name: impl Into<String>, at: usize) -> ColumnOf<'c, P> {
+    outcomes_or(name, at, |_| NOT_PLANNED)
+}
+
+/// Returns a column of how the runs of a cell ended, or why there is no cell.
+pub fn outcomes_or<'c, P: 'c>(
+    name: impl Into<String>,
+    at: usize,
+    absent: fn(&Line<P>) -> &'static str,
+) -> ColumnOf<'c, P> {
     column(name, move |line: &Line<P>| {
-        Value::Text(line.cells[at].map_or("not planned".into(), Cell::outcome_text))
+        Value::Text(line.cells[at].map_or_else(|| absent(line).into(), Cell::outcome_text))
     })
 }
 

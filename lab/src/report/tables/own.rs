@@ -3,7 +3,7 @@
 
 use triquad::augmentation::Augmentation;
 
-use super::columns::{self, ColumnOf, Line, column, mean, mean_count, of_cell, table};
+use super::columns::{self, ColumnOf, Line, NOT_PLANNED, column, mean, mean_count, of_cell, table};
 use super::pairings::{five_columns, flipped_percent, spread_columns};
 use super::table::{ReportTable, Value};
 use crate::experiment::RunRecord;
@@ -108,10 +108,15 @@ fn search_columns(prefix: &str, at: usize, star: &'static [usize]) -> [OwnColumn
     ]
 }
 
-/// Meshes that the papers do not have.
+/// Lists times: of meshes that the papers do not have; if nothing is the papers' own, of all.
 fn data(summary: &Summary) -> ReportTable {
+    let columns = five_columns().into_iter().chain(columns::mesh());
+    let columns = columns.chain(spread_columns(|_| NOT_PLANNED));
+    if summary.is_own() {
+        let names = ("table_data.csv", "Times and unpaired triangles");
+        return of_cells(names, summary.of_paper(Paper::Comparison), columns);
+    }
     let names = ("table_data.csv", "Meshes that the papers do not have");
-    let columns = five_columns().into_iter().chain(columns::mesh()).chain(spread_columns());
     let table = of_cells(names, summary.of_group(Paper::Comparison, "data"), columns);
     ReportTable { group: Some((Paper::Comparison, "data")), ..table }
 }

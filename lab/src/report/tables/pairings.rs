@@ -1,6 +1,8 @@
 //! Tables 4.3 and 4.4 of the comparison paper: four algorithms, with the augmentation as published.
 
-use super::columns::{self, ColumnOf, Line, column, counterpart, of_cell};
+use triquad::augmentation::Augmentation;
+
+use super::columns::{self, ColumnOf, Line, NOT_PLANNED, column, counterpart, of_cell};
 use super::table::{ReportTable, Value};
 use crate::experiment::{Job, RunRecord};
 use crate::paper::{PairingRow, Paper, Table, TableKind};
@@ -44,15 +46,30 @@ fn table(summary: &Summary, printed: Table) -> ReportTable {
         beside(total, Value::Seconds, |row| row.total_seconds).with_ratio(),
     ]);
     columns.extend(columns::hidden_mesh());
-    columns.extend(spread_columns());
+    columns.extend(spread_columns(absent));
     let mut table = counterpart(printed, columns, &lines, |printed| {
         printed.row.as_ref().map_or("", |row| &row.errata)
     });
     if !is_complete {
         table.notes.push(Note::TwoOfFour);
     }
+    if lines.iter().any(|line| line.cells[0].is_none() && is_run_otherwise(line)) {
+        table.notes.push(Note::TarjanOnly);
+    }
     table.notes.push(Note::OtherMachine);
     table
+}
+
+/// Returns whether the algorithm of a line is planned on the mesh with another augmentation.
+fn is_run_otherwise(line: &Line<PrintedJob>) -> bool {
+    let published = |cell: &&Cell| cell.id.job.with_augmentation(Augmentation::Tarjan);
+    let job = line.paper.as_ref().map(|printed| printed.job);
+    line.of_mesh.iter().any(|cell| Some(published(cell)) == job)
+}
+
+/// Words why a line has no cell.
+fn absent(line: &Line<PrintedJob>) -> &'static str {
+    if is_run_otherwise(line) { "not run with tarjan" } else { NOT_PLANNED }
 }
 
 /// Adds to the jobs on each mesh the programs that are not ours.
@@ -103,7 +120,11 @@ pub fn five_columns<P: 'static>() -> [ColumnOf<'static, P>; 5] {
 }
 
 /// Returns the columns beside these: pairing without shuffle, runs, spread, flips, outcomes.
-pub fn spread_columns<P: 'static>() -> Vec<ColumnOf<'static, P>> {
+///
+/// `absent` words why there is no cell.
+pub fn spread_columns<P: 'static>(
+    absent: fn(&Line<P>) -> &'static str,
+) -> Vec<ColumnOf<'static, P>> {
     let total = |name, number: fn(&Statistics) -> f64| {
         of_cell(name, 0, move |cell| {
             let total = cell.statistics(RunRecord::whole_total_seconds)?;
@@ -127,7 +148,7 @@ pub fn spread_columns<P: 'static>() -> Vec<ColumnOf<'static, P>> {
         unpaired("unpaired_triangles_greatest", |unpaired| unpaired.maximum).hidden(),
         columns::mean_count("edge_flips", 0, |measured| measured.edge_flips).heading("flips"),
         of_cell("edge_flips_percent", 0, flipped_percent).heading("flips, %"),
-        columns::outcomes("outcomes", 0),
+        columns::outcomes_or("outcomes", 0, absent),
         columns::extrapolated("extrapolated", 0),
     ]
 }
