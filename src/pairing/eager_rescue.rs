@@ -6,7 +6,10 @@
 //! of a few steps leads there. Taken at once, while the surroundings are in the cache, it costs
 //! next to nothing. Afterwards the nearest unpaired triangle would be another stranded one, far
 //! away.
+//!
+//! Where the triangles are halves of quads in order, these quads are tried first.
 
+use super::in_order::in_order;
 use super::pulli_segal::Greedy;
 use super::ranked_graph::RankedGraph;
 use crate::dual::{DualGraph, Matching};
@@ -17,7 +20,8 @@ const SEARCH_LIMIT: usize = 8000;
 
 /// Pairs triangles as [`pulli_segal`](super::pulli_segal()) does, in the order of the triangles.
 /// Each triangle that would be left alone is paired by an augmenting path to the nearest unpaired
-/// one.
+/// one. Before, it tries whether pairing each triangle with its next unpaired neighbour leaves none
+/// alone: then the quads of a mesh that was triangulated in order come back.
 ///
 /// O(n) time. At most a few triangles stay unpaired, where the rings meet.
 pub fn eager_rescue(graph: &DualGraph) -> Matching {
@@ -26,6 +30,9 @@ pub fn eager_rescue(graph: &DualGraph) -> Matching {
 
 /// Pairs as [`eager_rescue`] does, in rows that it is given, and returns them without the ranks.
 pub(super) fn pair_with_rescues(ranked: RankedGraph) -> (DualGraph, Matching) {
+    if let Some(matching) = in_order(ranked.len(), &ranked) {
+        return (ranked.into_dual(), matching);
+    }
     let mut rescue = Rescue::new(ranked.len());
     let mut greedy = Greedy::new(ranked, None);
     while let Some(f) = greedy.next() {

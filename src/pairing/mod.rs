@@ -59,6 +59,7 @@ mod algorithm;
 mod best;
 pub mod cubic;
 mod eager_rescue;
+mod in_order;
 mod initial;
 mod lrs;
 mod objective;

@@ -8,7 +8,11 @@ use std::ops::ControlFlow;
 use triquad::pairing::{pulli_segal, simple_greedy};
 use triquad::random::Random;
 use triquad::triangulation::TriangleId;
-use triquad::{Algorithm, Augmentation, DualGraph, Matching, Triangulation, make_maximum};
+use triquad::{
+    Algorithm, Augmentation, Converter, DualGraph, Matching, Mesh, Triangulation, make_maximum,
+};
+
+use crate::common::{face_list, sculpted_surface};
 
 type Edges = Vec<(u32, u32)>;
 
@@ -306,5 +310,33 @@ proptest! {
         let triangulation = Triangulation::build(&crate::common::face_list(&surface)).unwrap();
         let graph = DualGraph::new(&triangulation);
         assert_maximum(&graph, graph.len() / 2);
+    }
+}
+
+/// The quads of `mesh`, each with its least corner first, in order.
+fn sorted_quads(mesh: &Mesh) -> Vec<Vec<u32>> {
+    let from_least = |face: &[u32]| {
+        let mut face = face.to_vec();
+        let least = (0..face.len()).min_by_key(|&corner| face[corner]).unwrap_or(0);
+        face.rotate_left(least);
+        face
+    };
+    let mut quads: Vec<_> = mesh.faces().iter().map(from_least).collect();
+    quads.sort();
+    quads
+}
+
+proptest! {
+    #[test]
+    fn quads_cut_in_order_come_back_with_tq(surface in sculpted_surface(), seed: u64) {
+        let random = Algorithm::SimpleGreedy;
+        let quads = Converter::new().algorithm(random).seed(seed).run(&face_list(&surface));
+        let quads = quads.unwrap().into_mesh();
+        let halves = quads.faces().iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]);
+        let triangles = Mesh::from_triangles(quads.positions().to_vec(), halves.collect());
+        // The other diagonals can make two edges of one.
+        prop_assume!(Triangulation::build(&triangles).is_ok());
+        let back = Converter::new().algorithm(Algorithm::EagerRescue).run(&triangles).unwrap();
+        prop_assert_eq!(sorted_quads(back.mesh()), sorted_quads(&quads));
     }
 }
