@@ -69,6 +69,15 @@ impl Matching {
         self.unpaired -= 2;
     }
 
+    /// Takes `f` and its mate apart, if it has one.
+    pub(crate) fn unpair(&mut self, f: TriangleId) {
+        if let Some(mate) = self.mate(f) {
+            self.mate[f] = TriangleId::NONE;
+            self.mate[mate] = TriangleId::NONE;
+            self.unpaired += 2;
+        }
+    }
+
     /// Returns the number of triangles, paired or not.
     pub fn len(&self) -> usize {
         self.mate.len()

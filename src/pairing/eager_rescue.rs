@@ -9,7 +9,7 @@
 //!
 //! Where the triangles are halves of quads in order, these quads are tried first.
 
-use super::in_order::in_order;
+use super::in_order::pair_in_order;
 use super::pulli_segal::Greedy;
 use super::ranked_graph::RankedGraph;
 use crate::dual::{DualGraph, Matching};
@@ -30,11 +30,11 @@ pub fn eager_rescue(graph: &DualGraph) -> Matching {
 
 /// Pairs as [`eager_rescue`] does, in rows that it is given, and returns them without the ranks.
 pub(super) fn pair_with_rescues(ranked: RankedGraph) -> (DualGraph, Matching) {
-    if let Some(matching) = in_order(ranked.len(), &ranked) {
-        return (ranked.into_dual(), matching);
-    }
     let mut rescue = Rescue::new(ranked.len());
     let mut greedy = Greedy::new(ranked, None);
+    if pair_in_order(&greedy.ranked, &mut greedy.matching) {
+        return (greedy.ranked.into_dual(), greedy.matching);
+    }
     while let Some(f) = greedy.next() {
         if let Some(g) = greedy.best_neighbour(f) {
             greedy.pair(f, g);
