@@ -330,7 +330,7 @@ proptest! {
     #[test]
     fn quads_cut_in_order_come_back_with_tq(surface in sculpted_surface(), seed: u64) {
         let random = Algorithm::SimpleGreedy;
-        let quads = Converter::new().algorithm(random).seed(seed).run(&face_list(&surface));
+        let quads = Converter::new().algorithm(random).seed(seed).run(face_list(&surface));
         let quads = quads.unwrap().into_mesh();
         let halves = quads.faces().iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]);
         let triangles = Mesh::from_triangles(quads.positions().to_vec(), halves.collect());

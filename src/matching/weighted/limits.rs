@@ -5,6 +5,8 @@ use std::ops::Range;
 /// Limits at which growing trees are cut. Any choice gives an optimum; only time depends on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
+    /// Displacements in a chain that a free node may begin.
+    pub(super) displacements: u32,
     /// Nodes that a tree of the first round may visit.
     pub(super) first: usize,
     /// Factor from one round to the next; at least 2.
@@ -32,6 +34,7 @@ pub(super) struct Limits {
 impl Limits {
     /// The fastest limits on surfaces.
     pub(super) const DEFAULT: Self = Self {
+        displacements: 16,
         first: 64,
         factor: 4,
         single_rounds: 2,

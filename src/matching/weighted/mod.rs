@@ -45,8 +45,9 @@
 //! # }
 //! ```
 //!
-//! The method is Edmonds' (1965), arranged for large sparse graphs: greedy potentials; then a
-//! half-integral optimum by trees without blossoms; then one tree with blossoms from each odd cycle
+//! The method is Edmonds' (1965), arranged for large sparse graphs: greedy potentials and pairs; free
+//! nodes displace others (Jonker and Volgenant 1987); then a half-integral optimum by trees without
+//! blossoms; then one tree with blossoms from each odd cycle
 //! that is left. Trees are grown one at a time, cut at a limit that grows from round to round.
 //! Those that are many for their limit grow together at last.
 //!
@@ -61,6 +62,7 @@ mod blossoms;
 mod certificate;
 mod cubic;
 mod cycles;
+mod displace;
 mod dual;
 mod edge_list;
 mod half;

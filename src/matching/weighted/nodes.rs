@@ -106,6 +106,17 @@ pub(super) trait Nodes: Sync {
         }
     }
 
+    /// Makes a half-edge and its twin the mates of their ends, or leaves the origin to the ground.
+    #[inline]
+    fn pair(&mut self, half_edge: u32) {
+        let node = self.origin(half_edge);
+        self.set_mate(node, half_edge);
+        if half_edge != self.ground(node) {
+            let twin = self.twin(half_edge);
+            self.set_mate(self.origin(twin), twin);
+        }
+    }
+
     /// Returns whether this half-edge marks its origin as one without mate in the graph.
     #[inline]
     fn is_no_mate(&self, mate: u32) -> bool {

@@ -95,7 +95,7 @@ impl Half {
         limits: Limits,
         with_rounds: bool,
     ) -> Result<Self, Refusal> {
-        let (free, border) = start(&mut nodes);
+        let (free, border) = start(&mut nodes, limits);
         let mut work = Work { free_after_start: free.len() as u64, ..Work::default() };
         let (mut roots, mut cycles) = (Roots::new(free), Vec::new());
         if with_rounds {

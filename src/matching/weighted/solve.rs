@@ -192,7 +192,7 @@ fn run<S: Nodes>(
 ) -> Result<Outcome, Refusal> {
     let mut work = Work::of::<S::N>();
     let mut nodes = nodes?;
-    let (free, _) = start(&mut nodes);
+    let (free, _) = start(&mut nodes, limits);
     work.free_after_start = free.len() as u64;
     let roots =
         half_integral(&mut nodes, Roots::new(free), Vec::new(), limits, &mut work, observer)?;

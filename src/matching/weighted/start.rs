@@ -1,13 +1,16 @@
 //! Greedy potentials and pairs.
 
+use super::displace::displace_each;
+use super::limits::Limits;
 use super::nodes::{NONE, Nodes};
 use super::number::Number;
 
 /// Sets feasible potentials, raises each free node's as far as that goes, and pairs it along an
 /// edge that thereby becomes tight. O(nodes in range).
 ///
-/// Returns the nodes that stay free, and those on the border, which [`raise_each`] is for.
-pub(super) fn start<S: Nodes>(nodes: &mut S) -> (Vec<u32>, Vec<u32>) {
+/// Then free nodes [displace](displace_each) others. Returns the nodes that stay free, and those on
+/// the border, which [`raise_each`] is for.
+pub(super) fn start<S: Nodes>(nodes: &mut S, limits: Limits) -> (Vec<u32>, Vec<u32>) {
     for node in nodes.range() {
         let costs = nodes.sides(node).filter(|&side| nodes.twin(side) != NONE);
         let halves = costs.map(|side| nodes.cost(side).half());
@@ -27,7 +30,7 @@ pub(super) fn start<S: Nodes>(nodes: &mut S) -> (Vec<u32>, Vec<u32>) {
             }
         }
     }
-    free.retain(|&node| nodes.mate(node) == NONE);
+    displace_each(nodes, &mut free, limits.displacements);
     (free, border)
 }
 
@@ -64,11 +67,7 @@ fn raise<S: Nodes>(nodes: &mut S, node: u32) {
     }
     let Some(least) = least else { return };
     nodes.add_potential(node, least - nodes.potential(node));
-    if best == nodes.ground(node) {
-        nodes.set_mate(node, best);
-    } else if is_free {
-        nodes.set_mate(node, best);
-        let twin = nodes.twin(best);
-        nodes.set_mate(nodes.origin(twin), twin);
+    if best == nodes.ground(node) || is_free {
+        nodes.pair(best);
     }
 }

@@ -3,7 +3,7 @@
 /// Counts of what a run did; they depend on the input alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
-    /// Nodes left free by the greedy start.
+    /// Nodes left free by the greedy start and the displacements after it.
     pub free_after_start: u64,
     /// Nodes labelled outer in the half-integral phase.
     pub visits: u64,

@@ -18,9 +18,18 @@ pub(super) fn limits() -> impl Strategy<Value = Limits> {
     let patience = prop_oneof![Just(0), Just(1), Just(3), Just(u32::MAX)];
     // Divided as they are; renumbered and divided; renumbered and not divided.
     let border = prop_oneof![Just(1), Just(3), Just(usize::MAX)];
+    let displacements = prop_oneof![Just(0), 1..4_u32, Just(16)];
     let parts = (1..40_usize, 1..6_usize, 1..3_usize, 1..8_usize, border);
-    (first, 2..5_usize, 0..3_u32, patience, parts).prop_map(
-        |(first, factor, single_rounds, patience, (part, parts, share, patch, border))| Limits {
+    (first, 2..5_usize, 0..3_u32, patience, displacements, parts).prop_map(
+        |(
+            first,
+            factor,
+            single_rounds,
+            patience,
+            displacements,
+            (part, parts, share, patch, border),
+        )| Limits {
+            displacements,
             first,
             factor,
             single_rounds,
