@@ -27,6 +27,9 @@ impl Places {
     /// Leaves the nodes where they are, unless too many have neighbours in other parts. O(n).
     pub(super) fn of(problem: &impl CubicProblem, limits: Limits) -> Self {
         let count = problem.node_count();
+        if limits.parts(count) == 1 {
+            return Self::default();
+        }
         let border = |range: Range<u32>| {
             let is_beyond = |node: &u32| *node < count as u32 && !range.contains(node);
             let is_on_border = |&node: &u32| problem.neighbours(node).iter().any(is_beyond);
