@@ -45,11 +45,11 @@
 //! # }
 //! ```
 //!
-//! The method is Edmonds' (1965), arranged for large sparse graphs: greedy potentials and pairs; free
-//! nodes displace others (Jonker and Volgenant 1987); then a half-integral optimum by trees without
-//! blossoms; then one tree with blossoms from each odd cycle
-//! that is left. Trees are grown one at a time, cut at a limit that grows from round to round.
-//! Those that are many for their limit grow together at last.
+//! The method is Edmonds' (1965), arranged for large sparse graphs: greedy potentials and pairs;
+//! free nodes displace others (Jonker and Volgenant 1987); then a half-integral optimum by trees
+//! without blossoms; then one tree with blossoms from each odd cycle that is left. Trees are grown
+//! one at a time, cut at a limit that grows from round to round. Those that are many for their
+//! limit grow together at last.
 //!
 //! Imports of this room go one way: problems and certificates; the check and the barriers, which
 //! use nothing else; the places of nodes; nodes in their two layouts; the phases; the solver's
