@@ -47,7 +47,7 @@ fn on_page(page: &str) -> Fields {
     let mut fields = Fields::new();
     for cells in section.lines().filter_map(cells).skip(2) {
         let verbs = if cells[3] == "all" { VERBS.to_vec() } else { literals(&cells[3]) };
-        assert!(!verbs.is_empty() && cells[2] != "", "{cells:?}");
+        assert!(!verbs.is_empty() && !cells[2].is_empty(), "{cells:?}");
         for verb in verbs {
             for field in literals(&cells[0]) {
                 let is_new = fields.entry(verb.to_owned()).or_default().insert(field.to_owned());
