@@ -212,9 +212,9 @@ pub fn sentence(violation: &Violation) -> String {
 pub fn remedy(law: Law) -> &'static str {
     match law {
         Law::Triangle => "triangulate=True cuts larger faces into triangles; remove smaller ones",
-        Law::DistinctCorners => "remove degenerate faces",
-        Law::DistinctFaces => "remove duplicate faces",
-        Law::NoBoundary => "close the holes, or merge equal vertices if the gaps are seams",
+        Law::DistinctCorners => "triquad.clean drops degenerate triangles",
+        Law::DistinctFaces => "triquad.clean drops triangles that are there twice",
+        Law::NoBoundary => "close the holes, or use triquad.weld if the gaps are seams",
         Law::ConsistentOrientation => "orient=True flips faces until they agree",
         law => law.remedy(),
     }

@@ -8,14 +8,27 @@ use triquad::mesh::{CutError, Faces};
 
 use crate::arrays::{MeshArrays, indices, positions, table};
 use crate::failure::{Failure, MeshFailure};
+use crate::repair::welded;
 use crate::typed::AnyArray;
 use crate::worker;
 
-/// Reads a mesh file. Returns positions and faces of one size.
+/// Reads a mesh file and repairs it, in this order. Returns positions and faces of one size.
 #[pyfunction]
-pub fn read(py: Python<'_>, path: PathBuf, triangulate: bool) -> PyResult<MeshArrays<'_>> {
+pub fn read(
+    py: Python<'_>,
+    path: PathBuf,
+    weld: Option<f64>,
+    clean: bool,
+    triangulate: bool,
+) -> PyResult<MeshArrays<'_>> {
     let (mesh, arity) = worker::run(py, 0, move |_| {
         let mut mesh = Mesh::read(&path).map_err(|error| Failure::of_file(error, path.clone()))?;
+        if let Some(distance) = weld {
+            welded("weld", &mut mesh, distance)?;
+        }
+        if clean {
+            mesh.clean();
+        }
         if triangulate {
             mesh.triangulate().map_err(|error| no_cut(&path, error))?;
         }

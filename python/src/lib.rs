@@ -11,6 +11,7 @@ mod files;
 mod inspect;
 mod matching;
 mod reduce;
+mod repair;
 mod typed;
 mod worker;
 
@@ -27,4 +28,6 @@ mod _native {
     use super::matching::solve;
     #[pymodule_export]
     use super::reduce::{irreducible, simplify};
+    #[pymodule_export]
+    use super::repair::{clean, weld};
 }

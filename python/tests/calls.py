@@ -70,6 +70,19 @@ def survey(vertices: Any, triangles: Any) -> object:
     return found
 
 
+def weld(vertices: Any, triangles: Any) -> object:
+    kept, corners = triquad.weld(vertices, triangles, 1e-9)
+    assert len(kept) <= len(vertices) and len(corners) <= len(triangles)
+    assert not corners.size or corners.max() < len(kept)
+    return kept, corners
+
+
+def clean(triangles: Any) -> object:
+    left = triquad.clean(triangles)
+    assert len({frozenset(corners) for corners in left.tolist()}) == len(left) <= len(triangles)
+    return left
+
+
 def match(edges: Any, costs: Any) -> object:
     matching = triquad.match(edges, costs)
     assert np.array_equal(matching.mates[matching.mates], np.arange(len(matching.mates)))
@@ -131,6 +144,9 @@ CALLS: dict[str, Callable[[Any], object]] = {
     "check leftover": lambda x: check(QUADS[1:], TRIANGLES, x),
     "survey vertices": lambda x: survey(x, TRIANGLES),
     "survey triangles": lambda x: survey(VERTICES, x),
+    "weld vertices": lambda x: weld(x, TRIANGLES),
+    "weld triangles": lambda x: weld(VERTICES, x),
+    "clean triangles": clean,
     "match edges": lambda x: match(x, [1, 1, 1, 1]),
     "match costs": lambda x: match(EDGES, x),
     "write vertices": lambda x: write(x, TRIANGLES),

@@ -32,6 +32,7 @@ from triquad._files import read, write
 from triquad._inspect import CheckReport, Survey, Violation, check, survey
 from triquad._matching import Certificate, Matching, match
 from triquad._reduce import IrreducibleReport, irreducible, simplify
+from triquad._repair import clean, weld
 
 __all__ = [
     "Certificate",
@@ -45,6 +46,7 @@ __all__ = [
     "Survey",
     "Violation",
     "check",
+    "clean",
     "convert",
     "from_meshio",
     "from_pyvista",
@@ -58,5 +60,6 @@ __all__ = [
     "to_meshio",
     "to_pyvista",
     "to_trimesh",
+    "weld",
     "write",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 import os
+import sys
 from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
@@ -83,6 +84,11 @@ def real(name: str, value: float, least: float, most: float) -> float:
     if not least <= number <= most:
         raise ValueError(f"{name}: expected a number from {least:g} to {most:g}, got {value}")
     return number
+
+
+def distance_of(name: str, value: float) -> float:
+    """Return a distance, which is finite and not negative."""
+    return real(name, value, 0, sys.float_info.max)
 
 
 def count(name: str, value: SupportsIndex, limit: int = 2**64, least: int = 0) -> int:

@@ -160,8 +160,8 @@ def convert(
         ``best``, ``tq``, ``ps``, ``sg`` and ``velho`` only.
     quad_dominant : float, optional
         Leave triangles wherever a pair would cost more than twice this price; 1 is the price of a
-        flat quad with a corner of 180 degrees, and the command's usual price is 0.35. ``best``
-        only.
+        flat quad with a corner of 180 degrees, and the command's usual price is 0.35. With
+        (1 - J) / 2 no quad has a scaled Jacobian below J. ``best`` only.
     cost : str or array_like, shape (e,), any integer dtype
         The cost of a quad that ``best`` minimises the sum of: ``default``, ``shape``, or one
         integer of 32 bits for each edge, in the order in which the triangles first pass them.

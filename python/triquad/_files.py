@@ -8,25 +8,43 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from triquad import _native
-from triquad._arrays import check_range, face_array, index_array, path_of, vertices_array
+from triquad._arrays import (
+    check_range,
+    distance_of,
+    face_array,
+    index_array,
+    path_of,
+    vertices_array,
+)
 
 
 def read(
-    path: str | os.PathLike[str], *, triangulate: bool = False
+    path: str | os.PathLike[str],
+    *,
+    weld: float | None = None,
+    clean: bool = False,
+    triangulate: bool = False,
 ) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
     """Read a mesh file: OBJ, PLY, OFF or STL, each also with .gz.
+
+    Repairs are made in the order of the parameters, as ``triquad convert`` makes them.
 
     Parameters
     ----------
     path : str or path
         The file. Its extension names the format.
+    weld : float, optional
+        Join vertices at most so far apart; 0 joins those at equal coordinates.
+    clean : bool
+        Drop faces that repeat a corner, and triangles that repeat an earlier one.
     triangulate : bool
         Cut faces of four or more corners into triangles.
 
     Returns
     -------
     vertices : ndarray, shape (n, 3), float64
-        All vertices, in file order. Those of STL are welded where coordinates are equal.
+        All vertices, in file order, but for those that were joined to another. Those of STL are
+        joined where coordinates are equal.
     faces : ndarray, shape (m, k), uint32
         Corners of the faces, from 0.
 
@@ -36,6 +54,8 @@ def read(
         The file cannot be opened.
     MeshError
         It is malformed, or faces differ in size; ``element`` has the line or byte.
+    TypeError, ValueError
+        An argument has the wrong type or value, or ``weld`` leaves no face.
 
     Examples
     --------
@@ -46,7 +66,8 @@ def read(
     >>> faces.tolist()
     [[0, 1, 2]]
     """
-    return _native.read(path_of(path), bool(triangulate))
+    distance = None if weld is None else distance_of("weld", weld)
+    return _native.read(path_of(path), distance, bool(clean), bool(triangulate))
 
 
 def write(

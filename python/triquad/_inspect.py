@@ -90,7 +90,7 @@ class Survey:
     violations: list[Violation]
     """Every broken law once, the most basic one first."""
     faces_to_flip: list[int]
-    """Triangles to flip so that neighbours agree on orientation."""
+    """Triangles to flip so that neighbours agree: ``triangles[flip] = triangles[flip, ::-1]``."""
 
     def to_dict(self) -> dict[str, Any]:
         """Return all fields by name, violations as dictionaries."""

@@ -7,12 +7,17 @@ from numpy.typing import NDArray
 from os import PathLike
 from typing import Any, SupportsIndex
 
-__all__ = ["check", "convert", "irreducible", "pair", "read", "simplify", "solve", "survey", "write"]
+__all__ = ["check", "clean", "convert", "irreducible", "pair", "read", "simplify", "solve", "survey", "weld", "write"]
 
 def check(quads: NDArray[Any], triangles: NDArray[Any], leftover: NDArray[Any], open: bool) -> str:
     """
     Checks quads, and triangles left over, against triangles on the same vertices. Returns counts as
     JSON. With `open` the surface may have a boundary or one side.
+    """
+
+def clean(triangles: NDArray[Any]) -> NDArray[uint32]:
+    """
+    Drops degenerate triangles, and those that repeat an earlier one. Returns the others.
     """
 
 def convert(vertices: NDArray[Any], triangles: NDArray[Any], options: "dict[str, Any]") -> "dict[str, Any]":
@@ -30,9 +35,9 @@ def pair(triangles: NDArray[Any], options: "dict[str, Any]") -> tuple[NDArray[ui
     Pairs triangles without coordinates; row by row the lower and the upper triangle of a pair.
     """
 
-def read(path: str | PathLike[str], triangulate: bool) -> tuple[NDArray[float64], NDArray[uint32]]:
+def read(path: str | PathLike[str], weld: float | None, clean: bool, triangulate: bool) -> tuple[NDArray[float64], NDArray[uint32]]:
     """
-    Reads a mesh file. Returns positions and faces of one size.
+    Reads a mesh file and repairs it, in this order. Returns positions and faces of one size.
     """
 
 def simplify(vertices: NDArray[Any], triangles: NDArray[Any], vertex_count: SupportsIndex) -> tuple[NDArray[float64], NDArray[uint32]]:
@@ -48,6 +53,11 @@ def solve(edges: NDArray[Any], costs: NDArray[Any], nodes: SupportsIndex | None,
 def survey(vertices: NDArray[Any], triangles: NDArray[Any]) -> str:
     """
     Counts a mesh and the laws that it breaks. Returns JSON.
+    """
+
+def weld(vertices: NDArray[Any], triangles: NDArray[Any], distance: float) -> tuple[NDArray[float64], NDArray[uint32]]:
+    """
+    Joins vertices at most `distance` apart. Returns the vertices left and triangles on them.
     """
 
 def write(path: str | PathLike[str], vertices: NDArray[Any], faces: NDArray[Any], arity: SupportsIndex, leftover: NDArray[Any] | None) -> None:

@@ -28,6 +28,8 @@
 //! assert!(greedy.unpaired_count() <= 2);
 //! let by_priority = pairing::pulli_segal(&graph, None);
 //! assert!(by_priority.is_matching_of(&graph));
+//! let by_length = pairing::velho(&graph, |_edge| 1.0);
+//! assert!(by_length.is_matching_of(&graph));
 //! assert_eq!(pairing::eager_rescue(&graph).unpaired_count(), 0);
 //! let cubic = pairing::gawrychowski_wasylkiewicz(&graph).expect("3-regular and bridgeless");
 //! assert_eq!(cubic.unpaired_count(), 0);

@@ -164,8 +164,17 @@ fn is_like<T: PartialEq>(pattern: &[T], items: &[T], any: &T, is: &dyn Fn(&T, &T
 /// An empty folder with links to what a clone has.
 fn clone() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["docs", "examples", "experiments"] {
+    let link = |name: &str| {
         std::os::unix::fs::symlink(root().join(name), folder.path().join(name)).unwrap();
+    };
+    ["docs", "examples", "experiments"].into_iter().for_each(link);
+    // Committed records; what commands write goes beside them.
+    std::fs::create_dir(folder.path().join("results")).unwrap();
+    for entry in std::fs::read_dir(root().join("results")).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        if name.starts_with("20") || name.starts_with("quality-20") {
+            link(&format!("results/{name}"));
+        }
     }
     folder
 }

@@ -30,6 +30,8 @@ mod results;
 mod runner;
 #[cfg(target_os = "linux")]
 mod slurm;
+#[cfg(unix)]
+mod stats_fields;
 mod surfaces;
 mod verbs;
 mod workshop;

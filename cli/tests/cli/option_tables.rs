@@ -15,12 +15,12 @@ type Options = BTreeMap<String, BTreeSet<String>>;
 const COLUMNS_OF_VERBS: &[&str] = &["verb", "verbs", "of"];
 
 /// Returns the words of a text that stand in backticks.
-fn literals(text: &str) -> Vec<&str> {
+pub fn literals(text: &str) -> Vec<&str> {
     text.split('`').skip(1).step_by(2).collect()
 }
 
 /// Returns the cells of a row of a table. A bar behind a backslash is part of its cell.
-fn cells(line: &str) -> Option<Vec<String>> {
+pub fn cells(line: &str) -> Option<Vec<String>> {
     let row = line.strip_prefix('|')?.replace("\\|", "/");
     Some(row.split('|').map(|cell| cell.trim().to_owned()).collect())
 }
