@@ -270,6 +270,19 @@ fn two_columns_of_somebody_else_reach_the_tables() {
 }
 
 #[test]
+fn runs_counted_from_one_are_complete() {
+    let shop = Workshop::new();
+    let rows = "mesh,run,total_seconds\nbotijo,1,0.5\nbotijo,2,0.6\n";
+    std::fs::write(shop.path("rows.csv"), rows).unwrap();
+    let import = "import rows.csv --algorithm mine --map run=repetition --out out";
+    let output = shop.run(import);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && said.is_empty(), "{said}");
+    assert!(text(&shop, "out/table_data.csv").contains(",ok 2,"));
+    assert!(!text(&shop, "out/index.html").contains("missing or damaged"));
+}
+
+#[test]
 fn what_an_import_changes_and_replaces_is_said() {
     let shop = Workshop::new();
     let import = |rows: &str, algorithm: &str| {

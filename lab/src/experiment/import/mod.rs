@@ -6,6 +6,8 @@
 mod error;
 mod plausible;
 
+use std::collections::{BTreeSet, HashMap};
+
 use csv::StringRecord;
 use serde::Deserialize;
 use triquad::counted::counted;
@@ -215,15 +217,20 @@ impl Imported {
         }
     }
 
-    /// Returns the plan that these rows fulfil.
+    /// Returns the plan that these rows fulfil: nothing else was planned, whatever numbers the
+    /// repetitions have.
     pub fn planned(&self) -> Vec<Planned> {
+        let mut runs: HashMap<&RunId, BTreeSet<u32>> = HashMap::new();
         let mut planned: Vec<Planned> = Vec::new();
         for record in &self.records {
-            let repetitions = record.repetition + 1;
-            match planned.iter_mut().find(|row| row.id == record.id) {
-                Some(row) => row.repetitions = row.repetitions.max(repetitions),
-                None => planned.push(Planned { id: record.id.clone(), repetitions }),
-            }
+            let numbers = runs.entry(&record.id).or_insert_with(|| {
+                planned.push(Planned { id: record.id.clone(), repetitions: 0 });
+                BTreeSet::new()
+            });
+            numbers.insert(record.repetition);
+        }
+        for row in &mut planned {
+            row.repetitions = runs[&row.id].len() as u32;
         }
         planned
     }
