@@ -279,7 +279,7 @@ fn runs_counted_from_one_are_complete() {
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && said.is_empty(), "{said}");
     assert!(text(&shop, "out/table_data.csv").contains(",ok 2,"));
-    assert!(!text(&shop, "out/index.html").contains("planned run"));
+    assert!(!text(&shop, "out/index.html").contains("planned run has no row"));
 }
 
 /// Meshes of one name in two sizes are no rows of one table.
