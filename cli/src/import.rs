@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use triquad::counted::counted;
+use triquad::counted::{counted, listed};
 use triquad::mesh::refuse_endless;
 use triquad_lab::experiment::Task;
 use triquad_lab::experiment::import::{self, ImportSettings, Imported, MissingPart};
@@ -63,6 +63,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let out = &arguments.out;
     let failure = |error: std::io::Error| results_folder::unwritable(out, &error);
     let mut journal = Journal::open(out).map_err(|error| results_folder::closed(&error))?;
+    if let Some(there) = imported.other_scale_in(journal.results()) {
+        return Err(Failure::bad(of_other_scale(arguments, there)));
+    }
     let facts = [
         ("imported from", arguments.file.display().to_string()),
         ("imported by", machine::program()),
@@ -78,7 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     journal.note_machine(&name, facts).map_err(failure)?;
     journal.note_plan(imported.planned()).map_err(failure)?;
     let cells = imported.planned().len();
-    let (rows, rounded) = (imported.records.len(), imported.rounded);
+    let rows = imported.records.len();
     let renamed = imported.renamed.map(|(from, to)| format!("; {from} taken as {to}"));
     let meshes = imported.renamed_meshes;
     let task = imported.records.first().map_or("", |record| record.id.job.task().id());
@@ -89,13 +92,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         replaced += usize::from(!keys.insert(record.key.clone()));
         journal.append(record).map_err(failure)?;
     }
-    if rounded > 0 {
-        let counts = counted(
-            rounded,
-            "count is no whole number and was rounded",
-            "counts are no whole numbers and were rounded",
-        );
-        stdio::complain(&format!("{}: {counts}; give a row a run", arguments.file.display()));
+    if let Some(note) = of_rounded(&imported.rounded) {
+        stdio::complain(&format!("{}: {note}", arguments.file.display()));
     }
     for (given, taken) in meshes {
         let file = arguments.file.display();
@@ -122,6 +120,37 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         counted(cells, "mesh", "meshes"),
         renamed.unwrap_or_default(),
     ))
+}
+
+/// Words why rows are not put beside runs on meshes of scale `there`.
+fn of_other_scale(arguments: &Arguments, there: Scale) -> String {
+    let (file, out) = (arguments.file.display(), arguments.out.display());
+    let (ours, there) = (arguments.scale.id(), there.id());
+    format!(
+        "{file}: its meshes are of scale {ours}, those in {out} of scale {there}: one table would \
+         have meshes of one name in two sizes; give --scale {there} if that is their size, or \
+         another folder with --out"
+    )
+}
+
+/// Words which counts were rounded, one for each of these lines; nothing if there are none.
+fn of_rounded(lines: &[u64]) -> Option<String> {
+    /// Of more lines only the number is told.
+    const SHOWN: usize = 8;
+    let mut distinct = lines.to_vec();
+    distinct.dedup();
+    let mut names: Vec<String> = distinct.iter().take(SHOWN).map(u64::to_string).collect();
+    if distinct.len() > SHOWN {
+        names.push(format!("{} more", distinct.len() - SHOWN));
+    }
+    let place = if distinct.len() == 1 { "line" } else { "lines" };
+    let counts = counted(
+        lines.len(),
+        "count is no whole number and was rounded",
+        "counts are no whole numbers and were rounded",
+    );
+    let remedy = "give each run a row of its own, not their mean";
+    (!lines.is_empty()).then(|| format!("{place} {}: {counts}; {remedy}", listed(&names)))
 }
 
 /// Words why runs have no total, and what gives them one.

@@ -39,10 +39,9 @@ struct Info {
     triangles: usize,
     quads: usize,
     euler_characteristic: i64,
+    /// Handles of the two-sided components, where the faces are surfaces with holes or without;
+    /// none if there are no handles and a component is one-sided.
     genus: Option<usize>,
-    /// Handles of the two-sided components, where they are surfaces with holes or without.
-    #[serde(skip)]
-    handles: Option<usize>,
     non_orientable_genus: Option<usize>,
     components: usize,
     boundary_loops: usize,
@@ -138,7 +137,6 @@ impl Info {
             quads: 0,
             euler_characteristic: triangulation.euler_characteristic(),
             genus: Some(triangulation.genus()),
-            handles: Some(triangulation.genus()),
             non_orientable_genus: None,
             components: triangulation.component_count(),
             boundary_loops: 0,
@@ -155,7 +153,9 @@ impl Info {
 
     fn from_survey(input: String, survey: &Survey, refused: &Refused) -> Self {
         let welding_distance = refused.welding_distance().filter(|_| !survey.closed);
-        let broken = |violation| Broken::new(violation, refused);
+        let way = refused.options(survey);
+        let stays_open = way.as_ref().is_some_and(|way| way.is_open);
+        let broken = |violation| Broken::new(violation, refused, stays_open);
         Self {
             schema: SCHEMA,
             input,
@@ -166,8 +166,7 @@ impl Info {
             triangles: survey.triangles,
             quads: 0,
             euler_characteristic: survey.euler_characteristic,
-            genus: survey.genus(),
-            handles: survey.handles,
+            genus: survey.handles.filter(|&handles| survey.orientable || handles > 0),
             non_orientable_genus: survey.non_orientable_genus(),
             components: survey.components,
             boundary_loops: survey.boundary_loops,
@@ -175,7 +174,7 @@ impl Info {
             closed: survey.closed,
             closed_by_welding: (!survey.closed).then_some(welding_distance.is_some()),
             welding_distance,
-            convert_options: refused.options(survey).map(|way| way.to_string()),
+            convert_options: way.map(|way| way.to_string()),
             violations: survey.violations.iter().map(broken).collect(),
             left_out: Vec::new(),
             repairs: Vec::new(),
@@ -184,14 +183,19 @@ impl Info {
 }
 
 impl Broken {
-    fn new(violation: &Violation, refused: &Refused) -> Self {
+    fn new(violation: &Violation, refused: &Refused, stays_open: bool) -> Self {
+        let or_open = match violation.law {
+            Law::NoBoundary if stays_open => "; or keep them with --open",
+            Law::Orientable if stays_open => "; or keep it one-sided with --open",
+            _ => "",
+        };
         Self {
             law: violation.law,
             element: violation.element.to_string(),
             count: violation.count,
             faces: violation.faces.iter().map(|face| face + 1).collect(),
             absent_vertex: violation.absent_vertex.map(|(v, _)| u64::from(v) + 1),
-            remedy: refused.remedy(violation).to_string(),
+            remedy: format!("{}{or_open}", refused.remedy(violation)),
             message: violation.to_string(),
         }
     }
@@ -200,14 +204,18 @@ impl Broken {
 /// Writes a line a count, then two lines a broken law.
 fn describe(info: &Info) -> String {
     // As convert --open has it: holes count as filled, one-sided components apart.
-    let genus = match (info.handles, info.boundary_loops) {
-        (Some(handles), 0) => handles.to_string(),
-        (Some(handles), 1) => format!("{handles} with its hole filled"),
-        (Some(handles), _) => format!("{handles} with its holes filled"),
-        (None, _) => "none (the faces are no surface)".into(),
+    let filled = |genus: usize| match info.boundary_loops {
+        0 => genus.to_string(),
+        1 => format!("{genus} with its hole filled"),
+        _ => format!("{genus} with its holes filled"),
+    };
+    let genus = match (info.genus, info.non_orientable_genus) {
+        (Some(genus), _) => filled(genus),
+        (None, Some(_)) => "none (the surface is one-sided)".into(),
+        (None, None) => "none (the faces are no surface)".into(),
     };
     let yes_no = |yes| String::from(if yes { "yes" } else { "no" });
-    let cross_caps = info.non_orientable_genus.map(|genus| genus.to_string());
+    let cross_caps = info.non_orientable_genus.map(filled);
     let closed = match info.welding_distance {
         Some(0.0) => "no, but it is with --weld: vertices are at equal coordinates".into(),
         Some(distance) => format!("no, but it is with --weld {distance:e}"),

@@ -42,6 +42,7 @@ mod reduction;
 mod remedies;
 mod report;
 mod results_folder;
+mod rim;
 mod run;
 mod several;
 mod shell;

@@ -8,10 +8,11 @@ use std::path::Path;
 
 use triquad::counted::{counted, listed};
 use triquad::mesh::{Faces, Format};
-use triquad::{Law, Mesh, Survey, Violation};
+use triquad::{Element, Law, Mesh, Survey, Violation};
 
 use crate::fins::Fins;
 use crate::input::{self, Repairs};
+use crate::rim::{Junction, rim_edges};
 
 /// A mesh that was read and repaired, and is refused.
 pub struct Refused<'a> {
@@ -51,7 +52,7 @@ impl fmt::Display for Remedy {
 pub struct Way {
     repairs: Repairs,
     /// True if the mesh stays open, which is no repair.
-    is_open: bool,
+    pub is_open: bool,
 }
 
 impl fmt::Display for Way {
@@ -64,6 +65,8 @@ impl fmt::Display for Way {
 }
 
 const CUT_OFF: &str = "if the file was cut off, copy or export it again";
+
+const FILTERS: &str = "docs/formats.md names filters of MeshLab that do";
 
 const CLEAN: &str = "--clean drops degenerate faces";
 
@@ -79,6 +82,7 @@ pub fn general(law: Law, repairs: Repairs) -> Remedy {
         Law::DistinctFaces => Remedy::option("--clean drops triangles that are there twice"),
         Law::NoBoundary if repairs.reading.weld.is_some() => Remedy::other("close the holes"),
         Law::NoBoundary => Remedy::option("close the holes, or use --weld if the gaps are seams"),
+        Law::AtMostTwoFaces => Remedy::other(format!("{}; {FILTERS}", law.remedy())),
         Law::ConsistentOrientation => Remedy::option("--orient flips faces until they agree"),
         law => Remedy::other(law.remedy()),
     }
@@ -109,7 +113,7 @@ impl<'a> Refused<'a> {
                 Some(distance) => Remedy::option(format!(
                     "--weld {distance:e} closes it: it joins vertices that near"
                 )),
-                None => self.for_holes(),
+                None => self.for_holes(violation.element),
             },
             law => general(law, self.repairs),
         }
@@ -161,7 +165,16 @@ impl<'a> Refused<'a> {
 
     /// Returns what helps against holes that welding does not close. Vertices without faces are
     /// the only sign that the file had more of them.
-    fn for_holes(&self) -> Remedy {
+    fn for_holes(&self, first: Element) -> Remedy {
+        if let Element::Edge(a, b) = first
+            && let Some(Junction { vertex, edge: [from, to] }) = Junction::near(self.mesh, [a, b])
+        {
+            return Remedy::other(format!(
+                "{} lies on {}, a T-junction: cut the face of that edge there; or close the holes",
+                Element::Vertex(vertex),
+                Element::Edge(from, to)
+            ));
+        }
         let mut has_face = vec![false; self.mesh.positions().len()];
         for &v in self.mesh.faces().corners() {
             if let Some(has_face) = has_face.get_mut(v as usize) {
@@ -258,14 +271,7 @@ impl<'a> Refused<'a> {
 
 /// Returns the vertices of edges that belong to one face only.
 fn rim(mesh: &Mesh) -> Vec<[f64; 3]> {
-    let mut edges = Vec::with_capacity(mesh.faces().corners().len());
-    for face in mesh.faces() {
-        let next = face.iter().cycle().skip(1);
-        edges.extend(face.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)]));
-    }
-    edges.sort_unstable();
-    let single = edges.chunk_by(|one, other| one == other).filter(|group| group.len() == 1);
-    let vertices: BTreeSet<u32> = single.flat_map(|group| group[0]).collect();
+    let vertices: BTreeSet<u32> = rim_edges(mesh).into_iter().flatten().collect();
     let positions = mesh.positions();
     vertices.iter().filter_map(|&v| positions.get(v as usize).copied()).collect()
 }

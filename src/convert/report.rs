@@ -210,11 +210,14 @@ impl Report {
         }
     }
 
-    /// Writes the topology: genus, cross-caps and holes.
+    /// Writes the topology: genus, cross-caps and holes. One-sided surfaces have no genus.
     fn fmt_topology(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "(genus {}", self.genus)?;
-        if let Some(cross_caps) = self.non_orientable_genus {
-            write!(f, ", non-orientable genus {cross_caps}")?;
+        match (self.genus, self.non_orientable_genus) {
+            (genus, None) => write!(f, "(genus {genus}")?,
+            (0, Some(cross_caps)) => write!(f, "(non-orientable genus {cross_caps}")?,
+            (genus, Some(cross_caps)) => {
+                write!(f, "(genus {genus}, non-orientable genus {cross_caps}")?;
+            }
         }
         match self.boundary_loops {
             None => write!(f, ")"),

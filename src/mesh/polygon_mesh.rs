@@ -68,8 +68,9 @@ impl Mesh {
         &self.left_out
     }
 
-    /// Returns what [`Mesh::weld`] and [`Mesh::clean`] have changed, in words for the user that
-    /// begin with the name of the function.
+    /// Returns what [`Mesh::weld`], [`Mesh::clean`], [`Mesh::triangulate`] and
+    /// [`Survey::orient`](crate::Survey::orient) have changed, in words for the user that begin
+    /// with the name of the function.
     pub fn repairs(&self) -> &[String] {
         &self.repairs
     }
@@ -82,8 +83,7 @@ impl Mesh {
     }
 
     /// Notes what a repair has done: to so many, and the words for one and for several.
-    #[cfg(feature = "files")]
-    pub(super) fn note_repairs<const N: usize>(&mut self, done: [(&str, usize, [&str; 2]); N]) {
+    pub(crate) fn note_repairs<const N: usize>(&mut self, done: [(&str, usize, [&str; 2]); N]) {
         let some = done.into_iter().filter(|(_, count, _)| *count > 0);
         let words = |(deed, count, [one, several]): (&str, usize, [&str; 2])| match count {
             1 => format!("{deed} 1 {one}"),

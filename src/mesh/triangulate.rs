@@ -51,7 +51,7 @@ impl Mesh {
         let cuts = Cutter::new(self).cut();
         let cuts = cuts.map_err(|face| CutError { face: self.face_in_file(face) })?;
         let mut faces = Faces::default();
-        let (mut sources, mut origins) = (Vec::new(), Vec::new());
+        let (mut sources, mut origins, mut cut) = (Vec::new(), Vec::new(), 0);
         let mut first_new = Vec::with_capacity(self.faces.len() + 1);
         for (index, face) in self.faces.iter().enumerate() {
             first_new.push(faces.len());
@@ -63,12 +63,20 @@ impl Mesh {
                 origins.push(self.face_in_file(index) as u32);
             };
             match cuts.of(index, face.len()) {
-                Some(triangles) => triangles.iter().for_each(|triangle| push(triangle)),
+                Some(triangles) => {
+                    cut += 1;
+                    triangles.iter().for_each(|triangle| push(triangle));
+                }
                 None => push(&(0..face.len() as u32).collect::<Vec<_>>()),
             }
         }
         first_new.push(faces.len());
         self.set_derived_faces(faces, &sources, &first_new, origins);
+        self.note_repairs([(
+            "triangulate cut",
+            cut,
+            ["face into triangles", "faces into triangles"],
+        )]);
         Ok(())
     }
 }

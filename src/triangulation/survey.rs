@@ -141,6 +141,7 @@ impl Survey {
         for &face in &self.faces_to_flip {
             list.reverse_face(face);
         }
+        list.note_repairs([("orient turned", self.faces_to_flip.len(), ["face", "faces"])]);
     }
 
     /// Returns whether flipping faces would mend everything that is wrong.

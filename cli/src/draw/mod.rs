@@ -40,7 +40,7 @@ pub struct Arguments {
     #[arg(long, value_name = "MESH")]
     against: Vec<PathBuf>,
     /// Meaning of colours: quality (of quads: light blue is square, yellow is askew, orange is
-    /// nearly folded, red is folded) or none
+    /// nearly folded, red is folded) or none; back sides are grey
     #[arg(long, visible_alias = "color", default_value = "quality", value_name = "NAME")]
     colour: Colour,
     /// Edges: on or off; by default on in files and off in the terminal

@@ -19,6 +19,9 @@ const FOLDED: [u8; 3] = [178, 24, 43];
 /// Colour of faces that are no quads, and of all faces without colours.
 const PLAIN: [u8; 3] = [218, 225, 234];
 
+/// Colour of the back sides of faces, which is none of the others.
+const BACK: [u8; 3] = [140, 136, 148];
+
 /// Settings that several pictures share.
 pub struct Scene {
     pub width: usize,
@@ -53,6 +56,7 @@ impl Scene {
             section: self.section.clone(),
             background: self.background,
             front: PLAIN,
+            back: BACK,
             ..Picture::new(polygons(mesh))
         };
         picture.draw()
@@ -95,6 +99,25 @@ mod tests {
         assert_eq!(colour(&mesh, &[4, 1, 2, 3]), colour(&mesh, &[1, 2, 3, 4]));
         assert_eq!(colour(&mesh, &[0, 1, 4, 3]), FOLDED);
         assert_eq!(colour(&mesh, faces[2]), PLAIN);
+    }
+
+    /// Orange and red are for nearly folded and folded quads.
+    #[test]
+    fn back_sides_are_grey() {
+        let positions = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+        let mesh = Mesh::new(positions.to_vec(), [&[0, 1, 2, 3][..]].into_iter().collect());
+        let scene = Scene {
+            width: 9,
+            height: 9,
+            camera: Camera { direction: [0.0, 0.0, 1.0], ..Camera::default() },
+            lines: Lines { edges: false, ..Lines::default() },
+            section: None,
+            by_quality: true,
+            background: None,
+        };
+        let [red, green, blue, opacity] = scene.draw(&mesh).unwrap().pixels()[4 * 9 + 4];
+        let (low, high) = (red.min(green).min(blue), red.max(green).max(blue));
+        assert!(opacity == 255 && high - low < 32, "{red} {green} {blue} {opacity}");
     }
 
     #[test]

@@ -110,7 +110,14 @@ fn one_sided_surfaces_are_converted_and_have_a_genus_of_their_own() {
         assert_eq!(info["genus"], Value::Null);
         let run = workshop.run("info in.obj");
         let text = String::from_utf8(run.stdout).unwrap();
-        assert_contains(&text, &[&format!("non-orientable genus   {genus}")], "info");
+        let expected = [
+            &format!("non-orientable genus   {genus}")[..],
+            "genus                  none (the surface is one-sided)",
+            "; or keep it one-sided with --open",
+        ];
+        assert_contains(&text, &expected, "info");
+        let summary = workshop.succeed("convert in.obj --open -o again.obj");
+        assert_contains(&summary, &[&format!("(non-orientable genus {genus}")], "summary");
     }
 }
 

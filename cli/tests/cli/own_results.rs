@@ -270,6 +270,64 @@ fn two_columns_of_somebody_else_reach_the_tables() {
 }
 
 #[test]
+fn runs_counted_from_one_are_complete() {
+    let shop = Workshop::new();
+    let rows = "mesh,run,total_seconds\nbotijo,1,0.5\nbotijo,2,0.6\n";
+    std::fs::write(shop.path("rows.csv"), rows).unwrap();
+    let import = "import rows.csv --algorithm mine --map run=repetition --out out";
+    let output = shop.run(import);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && said.is_empty(), "{said}");
+    assert!(text(&shop, "out/table_data.csv").contains(",ok 2,"));
+    assert!(!text(&shop, "out/index.html").contains("planned run has no row"));
+}
+
+/// Meshes of one name in two sizes are no rows of one table.
+#[test]
+fn rows_of_another_scale_than_the_folder_has_are_refused() {
+    let shop = Workshop::new();
+    std::fs::write(shop.path("rows.csv"), "mesh,total_seconds\nbotijo,0.5\n").unwrap();
+    let import = |options: &str| format!("import rows.csv --algorithm {options}");
+    shop.succeed(&import("mine --scale demo --out demo"));
+    shop.succeed(&import("mine --out full"));
+    let before = text(&shop, "demo/runs.csv");
+    let said = shop.refused(&import("yours --out demo"));
+    assert_eq!(
+        said,
+        "triquad: rows.csv: its meshes are of scale full, those in demo of scale demo: one table \
+         would have meshes of one name in two sizes; give --scale demo if that is their size, or \
+         another folder with --out\n"
+    );
+    assert_eq!(text(&shop, "demo/runs.csv"), before);
+    let said = shop.refused(&import("yours --scale small --out full"));
+    assert!(said.contains("give --scale full if"), "{said}");
+    shop.succeed(&import("yours --scale demo --out demo"));
+    assert_eq!(shop.results("demo").records.len(), 2);
+    // Other meshes have the size that they have.
+    std::fs::write(shop.path("rows.csv"), "mesh,total_seconds\nmine.obj,0.5\n").unwrap();
+    shop.succeed(&import("yours --out demo --other-meshes"));
+}
+
+#[test]
+fn lines_of_rounded_counts_are_named() {
+    let shop = Workshop::new();
+    let import = |rows: &str| {
+        std::fs::write(shop.path("rows.csv"), format!("mesh,unpaired_triangles\n{rows}")).unwrap();
+        shop.succeed("import rows.csv --algorithm mine --out out")
+    };
+    let remedy = "give each run a row of its own, not their mean\n";
+    assert_eq!(
+        import("botijo,10\neros,10.6\n"),
+        format!("triquad: rows.csv: line 3: 1 count is no whole number and was rounded; {remedy}")
+    );
+    let said = import(&"botijo,0.5\n".repeat(10));
+    let lines = "lines 2, 3, 4, 5, 6, 7, 8, 9 and 2 more: 10 counts are no whole numbers";
+    assert!(said.contains(lines), "{said}");
+    // Nobody has the command of these runs.
+    assert!(text(&shop, "out/index.html").contains("imported</code>"));
+}
+
+#[test]
 fn what_an_import_changes_and_replaces_is_said() {
     let shop = Workshop::new();
     let import = |rows: &str, algorithm: &str| {

@@ -263,6 +263,13 @@ pub(crate) fn find_conversion(name: &str) -> Result<Algorithm, UnknownNameError>
     }
 }
 
+/// Returns the name that we give an algorithm of ours, and its task: case does not matter.
+pub(crate) fn our_name(name: &str) -> Option<(String, Task)> {
+    let ours = name.to_lowercase();
+    let task = Job::named(&ours).ok()?.task();
+    Some((ours, task))
+}
+
 pub(crate) fn find_augmentation(name: &str) -> Result<Augmentation, UnknownNameError> {
     find(Augmentation::ALL, Augmentation::id, name)
 }

@@ -27,7 +27,7 @@
 //! Programs that are not ours are described in tables `[[program]]`: see
 //! [`program_spec`](super::program_spec).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -184,8 +184,24 @@ impl Experiment {
             error => error,
         })?;
         experiment.remarks = unused_keys::check(&experiment, text)?;
+        let renamed = experiment.renamed_algorithms(text);
+        experiment.remarks.extend(renamed);
         experiment.file.text = text.to_owned();
         Ok(experiment)
+    }
+
+    /// Returns a remark on each algorithm of ours whose name has other letters than we give it.
+    fn renamed_algorithms(&self, text: &str) -> BTreeSet<String> {
+        let runs = self.groups.iter().flat_map(|group| &group.runs);
+        let is_program = |name: &&String| self.programs.iter().any(|one| one.name == **name);
+        let names = runs.flat_map(|run| &run.algorithms).filter(|name| !is_program(name));
+        let renamed = names.filter_map(|name| {
+            let (ours, _) = job::our_name(name).filter(|(ours, _)| ours != name)?;
+            let line = places::line_of_job(self, text, "algorithms", name)?;
+            let why = "algorithms of triquad are called so in letters of either case";
+            Some(format!("line {line}: note: {name} is taken as {ours}: {why}"))
+        });
+        renamed.collect()
     }
 
     /// Returns where a mesh is named: file and line; else the name of the experiment.
@@ -279,7 +295,8 @@ impl RunSpec {
             match programs.iter().find(|program| program.name == *name) {
                 Some(program) => jobs.push(program.job()),
                 None => {
-                    let own = self.jobs_of(task, name, programs)?;
+                    let ours = job::our_name(name).map(|(ours, _)| ours);
+                    let own = self.jobs_of(task, ours.as_ref().unwrap_or(name), programs)?;
                     // A program beside it would hide that it is not run.
                     if own.is_empty() {
                         return Err(self.nothing_to_run(task));
@@ -402,6 +419,26 @@ mod tests {
         assert!(error.ends_with("the nearest is \"mine\""), "{error}");
         let twice = text.replace("[[group]]", program);
         assert!(Experiment::parse(&twice).unwrap_err().to_string().starts_with("two programs"));
+    }
+
+    /// As in `import --algorithm`.
+    #[test]
+    fn algorithms_of_ours_may_be_in_capitals() {
+        let plain = Experiment::parse(TEXT).unwrap();
+        let text = TEXT.replace("\"ps\", \"lrs few", "\"PS\", \"LRS few");
+        let capitals = Experiment::parse(&text).unwrap();
+        let jobs = |experiment: &Experiment| experiment.groups[0].runs[0].jobs(Task::Convert, &[]);
+        assert_eq!(jobs(&capitals).unwrap(), jobs(&plain).unwrap());
+        assert!(plain.remarks.is_empty() && capitals.remarks.len() == 2);
+        let why = "algorithms of triquad are called so in letters of either case";
+        assert_eq!(capitals.remarks[1], format!("line 13: note: PS is taken as ps: {why}"));
+        // A program of that very name is the program.
+        let program = "[[program]]\nname = \"PS\"\ntask = \"convert\"\n\
+                       command = \"run {mesh} {quads}\"\n[[group]]";
+        let with_program = text.replace("[[group]]", program);
+        let experiment = Experiment::parse(&with_program).unwrap();
+        let jobs = experiment.groups[0].runs[0].jobs(Task::Convert, &experiment.programs).unwrap();
+        assert!(jobs[0].is_program() && experiment.remarks.len() == 1, "{:?}", experiment.remarks);
     }
 
     /// As without the program: nothing that is named is left out in silence.

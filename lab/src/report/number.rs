@@ -3,7 +3,10 @@
 /// Writes a number of unknown size in four significant digits, with an exponent where it is below
 /// 10^-4 or 10^7 and more.
 pub fn significant(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
         return format!("{value}");
     }
     let scientific = format!("{value:.3e}");
@@ -54,6 +57,7 @@ mod tests {
     fn four_significant_digits_of_any_size() {
         let written = [
             (0.0, "0"),
+            (-0.0, "0"),
             (1.0, "1.000"),
             (0.123_456, "0.1235"),
             (0.999_96, "1.000"),

@@ -239,3 +239,19 @@ fn a_total_is_computed_where_both_parts_are_known_and_missed_elsewhere() {
     let reduction = "mesh,seconds,link_condition_tests\nir-B0,0.5,9\n";
     assert_eq!(read(reduction).missing_parts, []);
 }
+
+/// Nothing was planned beyond the rows, wherever their repetitions begin to count.
+#[test]
+fn the_plan_of_imported_rows_is_what_they_are() {
+    for numbers in [[0, 1], [1, 2], [7, 3], [u32::MAX, 0]] {
+        let [one, other] = numbers;
+        let text = format!(
+            "mesh,repetition,total_seconds\nbotijo,{one},1\nbotijo,{other},2\n\
+             botijo,{other},3\neros,{other},4\n"
+        );
+        let planned = import::read(&text, &settings(&[])).unwrap().planned();
+        let plan: Vec<_> =
+            planned.iter().map(|row| (row.id.mesh.name.as_str(), row.repetitions)).collect();
+        assert_eq!(plan, [("botijo", 2), ("eros", 1)], "{numbers:?}");
+    }
+}

@@ -110,6 +110,39 @@ fn no_remedy_is_on_already_and_the_options_that_info_names_work() {
 }
 
 #[test]
+fn a_side_that_is_cut_on_one_face_only_is_a_t_junction() {
+    let workshop = Workshop::new();
+    let cut = TETRAHEDRON.replace("f 1 2 4", "v 0.5 0 0\nf 1 5 4\nf 5 2 4");
+    assert!(cut.contains("v 0.5"));
+    workshop.put("in.obj", cut);
+    let advice = "vertex 5 lies on edge 1-2, a T-junction: cut the face of that edge there";
+    assert_contains(&workshop.fail("convert in.obj", 2), &[advice], "convert");
+    let stdout = String::from_utf8(workshop.run("info in.obj").stdout).unwrap();
+    assert_contains(&stdout, &[advice], "info");
+}
+
+#[test]
+fn faces_that_are_turned_or_cut_are_counted() {
+    let workshop = Workshop::new();
+    let turned = TETRAHEDRON.replace("f 1 3 2", "f 1 2 3");
+    let open = turned.rsplit_once("f ").unwrap().0;
+    workshop.put("cube.obj", CUBE);
+    workshop.put("turned.obj", &turned);
+    workshop.put("open.obj", open);
+    for (arguments, deed) in [
+        ("cube.obj --triangulate", "--triangulate cut 6 faces into triangles"),
+        ("turned.obj --orient", "--orient turned 1 face"),
+        ("open.obj --orient --open", "--orient turned 1 face"),
+    ] {
+        let said = workshop.run(&format!("convert {arguments} -o out.obj")).stderr;
+        assert_contains(&said, &[&format!("note: {deed}\n")], arguments);
+        let info = workshop.run(&format!("info {}", arguments.replace("--open", "")));
+        let info = String::from_utf8(info.stdout).unwrap();
+        assert_contains(&info, &[&format!("repaired               {deed}")], arguments);
+    }
+}
+
+#[test]
 fn faces_that_hang_by_an_edge_are_the_ones_to_remove() {
     let workshop = Workshop::new();
     let with = |faces: &str| format!("{TETRAHEDRON}v 2 0 0\nv 0 2 0\n{faces}");
@@ -127,7 +160,8 @@ fn faces_that_hang_by_an_edge_are_the_ones_to_remove() {
     }
     // Of two faces at one edge none is known to be too many.
     workshop.put("in.obj", with("f 1 2 5\nf 5 6 1\nf 2 6 5\nf 6 2 1\n"));
-    assert_contains(&workshop.fail("convert in.obj", 2), &["separate the sheets"], "two solids");
+    let advice = ["edge 1-2 ", "separate the sheets", "docs/formats.md"];
+    assert_contains(&workshop.fail("convert in.obj", 2), &advice, "two solids");
 }
 
 /// What `--open` allows is a broken law in `info` all the same.

@@ -6,17 +6,19 @@
 mod error;
 mod plausible;
 
+use std::collections::{BTreeSet, HashMap};
+
 use csv::StringRecord;
 use serde::Deserialize;
 use triquad::counted::counted;
 
 pub use error::ImportError;
 
-use super::job::Job;
+use super::job::{self, Job};
 use super::machine::hash_of_words;
 use super::measured::Measured;
 use super::record::{IMPORTED, Outcome, RunRecord};
-use super::results::{Planned, column_names};
+use super::results::{Planned, Results, column_names};
 use super::run_id::{MeshId, RunId};
 use super::task::Task;
 use crate::meshes::paper::{self, PaperMesh, Scale};
@@ -43,10 +45,9 @@ impl ImportSettings {
     /// Returns the settings with an algorithm of ours under the name that we give it: case does not
     /// matter.
     fn with_our_name(&self) -> Self {
-        let ours = self.algorithm.to_lowercase();
-        let job = Job::named(&ours).ok();
-        let is_ours = job.is_some_and(|job| self.task.is_none_or(|task| task == job.task()));
-        let algorithm = if is_ours { ours } else { self.algorithm.clone() };
+        let is_of_task = |task| self.task.is_none_or(|wanted| wanted == task);
+        let ours = job::our_name(&self.algorithm).filter(|(_, task)| is_of_task(*task));
+        let algorithm = ours.map_or_else(|| self.algorithm.clone(), |(name, _)| name);
         Self { algorithm, ..self.clone() }
     }
 }
@@ -58,8 +59,9 @@ pub struct Imported {
     pub algorithm: String,
     /// One row a run.
     pub records: Vec<RunRecord>,
-    /// Counts that were no whole numbers, as means are not, and were rounded.
-    pub rounded: usize,
+    /// Lines of counts that were no whole numbers, as means are not, and were rounded: one a count,
+    /// from 1.
+    pub rounded: Vec<u64>,
     /// A column of times, and the one that the task has for it, where they differ.
     pub renamed: Option<(&'static str, &'static str)>,
     /// Meshes in the words of the file, and those of the second paper that they are taken for.
@@ -158,7 +160,7 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
     let mut imported = Imported {
         algorithm: settings.algorithm.clone(),
         records: Vec::new(),
-        rounded: 0,
+        rounded: Vec::new(),
         renamed,
         renamed_meshes: Vec::new(),
         missing_parts: Vec::new(),
@@ -215,15 +217,31 @@ impl Imported {
         }
     }
 
-    /// Returns the plan that these rows fulfil.
+    /// Returns the scale of the papers' meshes in a folder, if these rows are of another one that
+    /// the folder does not have. Meshes of the same name then differ in size.
+    pub fn other_scale_in(&self, folder: &Results) -> Option<Scale> {
+        let is_of_paper =
+            |record: &&RunRecord| paper::ALL.iter().any(|mesh| mesh.name == record.id.mesh.name);
+        let scale = self.records.iter().find(is_of_paper)?.id.mesh.scale;
+        let there = folder.records.iter().filter(is_of_paper).map(|record| record.id.mesh.scale);
+        let there: Vec<Scale> = there.collect();
+        there.first().copied().filter(|_| !there.contains(&scale))
+    }
+
+    /// Returns the plan that these rows fulfil: nothing else was planned, whatever numbers the
+    /// repetitions have.
     pub fn planned(&self) -> Vec<Planned> {
+        let mut runs: HashMap<&RunId, BTreeSet<u32>> = HashMap::new();
         let mut planned: Vec<Planned> = Vec::new();
         for record in &self.records {
-            let repetitions = record.repetition + 1;
-            match planned.iter_mut().find(|row| row.id == record.id) {
-                Some(row) => row.repetitions = row.repetitions.max(repetitions),
-                None => planned.push(Planned { id: record.id.clone(), repetitions }),
-            }
+            let numbers = runs.entry(&record.id).or_insert_with(|| {
+                planned.push(Planned { id: record.id.clone(), repetitions: 0 });
+                BTreeSet::new()
+            });
+            numbers.insert(record.repetition);
+        }
+        for row in &mut planned {
+            row.repetitions = runs[&row.id].len() as u32;
         }
         planned
     }
@@ -394,7 +412,7 @@ fn checked(
     row: &StringRecord,
     columns: &[String],
     header: &StringRecord,
-    rounded: &mut usize,
+    rounded: &mut Vec<u64>,
 ) -> Result<StringRecord, ImportError> {
     let line = row.position().map_or(0, csv::Position::line);
     let mut fields = Vec::new();
@@ -440,7 +458,7 @@ fn checked(
         if is_fraction || field.parse::<u64>().is_ok() {
             fields.push(field.to_owned());
         } else {
-            *rounded += usize::from(value.fract() != 0.0);
+            rounded.extend((value.fract() != 0.0).then_some(line));
             fields.push(format!("{value:.0}"));
         }
     }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::experiment::Results;
+use crate::experiment::{Results, RunRecord};
 use crate::paper::Paper;
 use crate::report::summary::{Cell, Summary};
 
@@ -49,13 +49,18 @@ pub fn commands(summary: &Summary) -> Vec<GroupCommands<'_>> {
             let name = format!("{}, group {}", mesh.experiment, mesh.group);
             groups.push(GroupCommands { id: id.clone(), name, cells: Vec::new() });
         }
-        let command = cell.runs.first().map_or("", |run| run.command.as_str());
+        let command = cell.runs.first().map_or("", command_of);
         let group = groups.iter_mut().find(|group| group.id == id);
         let group = group.expect("one was pushed if there was none");
         let outcomes = cell.outcome_text();
         group.cells.push(CellCommand { name: name_of(cell), outcomes, command });
     }
     groups
+}
+
+/// Returns the command of a run. What was imported without one was run elsewhere.
+fn command_of(run: &RunRecord) -> &str {
+    if run.is_imported() && run.command.is_empty() { "imported" } else { &run.command }
 }
 
 fn group_id(experiment: &str, group: &str) -> String {
