@@ -5,7 +5,7 @@
 //! edge as far as its second cheapest edge goes, if that of u falls as much. The pair of u then has
 //! slack and is given up for v and u, and the old mate of u is free in turn. No tree is grown and
 //! nothing is queued: a step costs what it takes to look at one node. Most chains soon meet a free
-//! node. On surfaces seven of eight free nodes are paired so, those with the nearest partners.
+//! node. On surfaces about four of five free nodes are paired so, those with the nearest partners.
 
 use super::nodes::{NONE, Nodes};
 use super::number::Number;
