@@ -241,6 +241,11 @@ fn failure(
             "; --open allows triangles that are left over".into()
         }
         (CheckError::Moved(v), _) => displacement(*v, quads, triangles),
+        (CheckError::NotAPair(_), Built::Closed(_)) if arguments.triangulation.is_none() => {
+            "; lrs flips edges first: write its triangles with convert --write-triangulation, and \
+             give them with --triangulation"
+                .into()
+        }
         (CheckError::EdgeTwice(a, b) | CheckError::EdgeOpen(a, b), _) => {
             faces_where(quads, |from, to| [from, to] == [*a, *b] || [to, from] == [*a, *b])
         }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use triquad::convert::Aims;
+use triquad::counted::listed;
 use triquad::quadrangulation::check_mixed;
 use triquad::triangulation::{OpenTriangulation, Surface};
 use triquad::{Algorithm, Converted, DualGraph, Mesh, Triangulation};
@@ -11,6 +12,8 @@ use triquad::{Algorithm, Converted, DualGraph, Mesh, Triangulation};
 pub struct Table<'a> {
     aims: &'a Aims<'a>,
     rows: Vec<[String; COLUMNS]>,
+    /// Algorithms that do not take the mesh.
+    skipped: Vec<String>,
 }
 
 const COLUMNS: usize = 10;
@@ -31,7 +34,7 @@ const NAMES: [&str; COLUMNS] = [
 impl<'a> Table<'a> {
     /// Makes a table in which costs are those of `aims`.
     pub fn new(aims: &'a Aims<'a>) -> Self {
-        Self { aims, rows: vec![NAMES.map(String::from)] }
+        Self { aims, rows: vec![NAMES.map(String::from)], skipped: Vec::new() }
     }
 
     /// Adds the row of a conversion.
@@ -59,6 +62,7 @@ impl<'a> Table<'a> {
     pub fn skip(&mut self, algorithm: Algorithm) {
         let mut row: [String; COLUMNS] = std::array::from_fn(|_| "-".into());
         row[0] = algorithm.to_string();
+        self.skipped.push(row[0].clone());
         self.rows.push(row);
     }
 
@@ -95,7 +99,8 @@ fn seconds(seconds: f64) -> String {
 }
 
 impl fmt::Display for Table<'_> {
-    /// Writes the columns right-aligned, names of algorithms left-aligned.
+    /// Writes the columns right-aligned, names of algorithms left-aligned, and a line on those that
+    /// were skipped.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = |k: usize| self.rows.iter().map(|row| row[k].len()).max().unwrap_or(0);
         let widths: [usize; COLUMNS] = std::array::from_fn(width);
@@ -108,6 +113,10 @@ impl fmt::Display for Table<'_> {
                 write!(f, "  {cell:>width$}")?;
             }
         }
-        Ok(())
+        match &self.skipped[..] {
+            [] => Ok(()),
+            [one] => write!(f, "\n{one} takes closed, two-sided surfaces only"),
+            more => write!(f, "\n{} take closed, two-sided surfaces only", listed(more)),
+        }
     }
 }

@@ -26,7 +26,7 @@ pub struct Reading {
 /// Options that turn a mesh into a triangulation.
 #[derive(clap::Args, Clone, Copy, Default)]
 pub struct Repairs {
-    /// Drop faces that repeat a corner, and triangles that repeat an earlier one
+    /// Drop faces that repeat a corner, and faces that repeat an earlier one
     #[arg(long)]
     pub clean: bool,
     /// Flip faces until neighbours agree on orientation

@@ -7,7 +7,7 @@ use std::fmt;
 use std::path::Path;
 
 use triquad::counted::{counted, listed};
-use triquad::mesh::{Faces, Format};
+use triquad::mesh::{Cleaned, Faces, Format};
 use triquad::{Element, Law, Mesh, Survey, Violation};
 
 use crate::fins::Fins;
@@ -17,8 +17,8 @@ use crate::rim::{Junction, rim_edges};
 /// A mesh that was read and repaired, and is refused.
 pub struct Refused<'a> {
     mesh: &'a Mesh,
-    /// True if the file does not announce how much is in it, so that its end may be missing.
-    may_be_cut_off: bool,
+    /// The format of the file, if its name tells.
+    format: Option<Format>,
     repairs: Repairs,
     welding_distance: OnceCell<Option<f64>>,
     fins: OnceCell<Fins>,
@@ -66,7 +66,10 @@ impl fmt::Display for Way {
 
 const CUT_OFF: &str = "if the file was cut off, copy or export it again";
 
-const FILTERS: &str = "docs/formats.md names filters of MeshLab that do";
+const FILTERS: &str = "docs/formats.md (\"Other repairs\") names filters of MeshLab that do";
+
+const NOT_IN_STL: &str =
+    "do it in another format: corners of STL at equal coordinates are one vertex";
 
 const CLEAN: &str = "--clean drops degenerate faces";
 
@@ -79,10 +82,10 @@ pub fn general(law: Law, repairs: Repairs) -> Remedy {
             Remedy::option("--triangulate cuts larger faces into triangles; remove smaller ones")
         }
         Law::DistinctCorners => Remedy::option(CLEAN),
-        Law::DistinctFaces => Remedy::option("--clean drops triangles that are there twice"),
+        Law::DistinctFaces => Remedy::option("--clean drops faces that are there twice"),
         Law::NoBoundary if repairs.reading.weld.is_some() => Remedy::other("close the holes"),
         Law::NoBoundary => Remedy::option("close the holes, or use --weld if the gaps are seams"),
-        Law::AtMostTwoFaces => Remedy::other(format!("{}; {FILTERS}", law.remedy())),
+        Law::AtMostTwoFaces | Law::OneFan => Remedy::other(format!("{}; {FILTERS}", law.remedy())),
         Law::ConsistentOrientation => Remedy::option("--orient flips faces until they agree"),
         law => Remedy::other(law.remedy()),
     }
@@ -91,9 +94,14 @@ pub fn general(law: Law, repairs: Repairs) -> Remedy {
 impl<'a> Refused<'a> {
     /// Takes a mesh that was read from `path` with `repairs`.
     pub fn new(mesh: &'a Mesh, path: &Path, repairs: Repairs) -> Self {
-        let may_be_cut_off = matches!(Format::from_path(path), Ok(Format::Obj));
+        let format = Format::from_path(path).ok();
         let (welding_distance, fins) = (OnceCell::new(), OnceCell::new());
-        Self { mesh, may_be_cut_off, repairs, welding_distance, fins }
+        Self { mesh, format, repairs, welding_distance, fins }
+    }
+
+    /// Returns true if the file does not announce how much is in it: its end may be missing.
+    fn may_be_cut_off(&self) -> bool {
+        self.format == Some(Format::Obj)
     }
 
     /// Returns what helps against a broken law.
@@ -101,8 +109,13 @@ impl<'a> Refused<'a> {
         if let Some(remedy) = self.without_fins(violation) {
             return remedy;
         }
+        if let Law::AtMostTwoFaces | Law::OneFan = violation.law
+            && self.has_duplicate_at(violation.element)
+        {
+            return general(Law::DistinctFaces, self.repairs);
+        }
         match violation.law {
-            law @ Law::NotEmpty if self.may_be_cut_off => {
+            law @ Law::NotEmpty if self.may_be_cut_off() => {
                 Remedy::other(format!("{}; {CUT_OFF}", general(law, self.repairs)))
             }
             Law::Triangle => self.for_corners(),
@@ -115,6 +128,12 @@ impl<'a> Refused<'a> {
                 )),
                 None => self.for_holes(violation.element),
             },
+            law @ Law::OneFan if self.format == Some(Format::Stl) => {
+                Remedy::other(format!("{}; {NOT_IN_STL}", general(law, self.repairs)))
+            }
+            Law::DistinctFaces if !self.has_duplicate_at(Element::Mesh) => {
+                Remedy::other("remove one of them")
+            }
             law => general(law, self.repairs),
         }
     }
@@ -163,6 +182,18 @@ impl<'a> Refused<'a> {
         Some(Remedy::other(words))
     }
 
+    /// Returns true if `--clean` drops a face at the element because it is there twice.
+    fn has_duplicate_at(&self, element: Element) -> bool {
+        let is_there = |corners: &[u32]| match element {
+            Element::Edge(a, b) => corners.contains(&a) && corners.contains(&b),
+            Element::Vertex(v) => corners.contains(&v),
+            _ => true,
+        };
+        let faces = self.mesh.faces().iter().filter(|corners| is_there(corners));
+        let mut there = Mesh::new(Vec::new(), faces.collect());
+        there.clean().duplicate_faces > 0
+    }
+
     /// Returns what helps against holes that welding does not close. Vertices without faces are
     /// the only sign that the file had more of them.
     fn for_holes(&self, first: Element) -> Remedy {
@@ -182,7 +213,7 @@ impl<'a> Refused<'a> {
             }
         }
         let idle = has_face.iter().filter(|&&has_face| !has_face).count();
-        if idle == 0 || !self.may_be_cut_off {
+        if idle == 0 || !self.may_be_cut_off() {
             return Remedy::other("close the holes");
         }
         let idle = counted(idle, "vertex is", "vertices are");
@@ -208,36 +239,27 @@ impl<'a> Refused<'a> {
         }
     }
 
-    /// Returns the least distance for `--weld` that closes the mesh and loses no face: 0, or a
-    /// power of ten up to a thousandth of the size of the mesh. None if there is none beyond that
-    /// of a `--weld` that is on, or there are no holes. A few times the cost of a survey.
+    /// Returns the least distance for `--weld` that closes the mesh and loses slivers at most: 0,
+    /// or a power of ten up to a thousandth of the size of the mesh. None if there is none beyond
+    /// that of a `--weld` that is on, or there are no holes. A few times the cost of a survey.
     pub fn welding_distance(&self) -> Option<f64> {
-        *self.welding_distance.get_or_init(|| {
-            let rim = rim(self.mesh);
-            if rim.is_empty() {
-                return None;
-            }
-            let exponent = size(self.mesh).log10().floor();
-            let steps =
-                if exponent.is_finite() { exponent as i32 - 9..exponent as i32 - 2 } else { 0..0 };
-            let power = |exponent: i32| format!("1e{exponent}").parse().unwrap_or(f64::INFINITY);
-            let on = self.repairs.reading.weld;
-            let mut distances = std::iter::once(0.0).chain(steps.map(power));
-            distances.find(|&distance| {
-                on.is_none_or(|on| distance > on) && self.is_closed_by(distance, &rim)
-            })
-        })
+        *self.welding_distance.get_or_init(|| self.distance_that_closes(self.mesh))
     }
 
-    fn is_closed_by(&self, distance: f64, rim: &[[f64; 3]]) -> bool {
-        // Vertices of the rim must meet, all but the two ends of a slit. If none do, that is soon
-        // known.
-        let mut points = Mesh::new(rim.to_vec(), Faces::default());
-        if points.weld(distance).merged_vertices == 0 {
-            return false;
+    fn distance_that_closes(&self, mesh: &Mesh) -> Option<f64> {
+        let rim = rim(mesh);
+        if rim.is_empty() {
+            return None;
         }
-        let mut welded = Mesh::new(self.mesh.positions().to_vec(), self.mesh.faces().clone());
-        welded.weld(distance).dropped_faces == 0 && Survey::new(&welded).closed
+        let exponent = size(mesh).log10().floor();
+        let steps =
+            if exponent.is_finite() { exponent as i32 - 9..exponent as i32 - 2 } else { 0..0 };
+        let power = |exponent: i32| format!("1e{exponent}").parse().unwrap_or(f64::INFINITY);
+        let on = self.repairs.reading.weld;
+        let mut distances = std::iter::once(0.0).chain(steps.map(power));
+        distances.find(|&distance| {
+            on.is_none_or(|on| distance > on) && is_closed_by(distance, mesh, &rim)
+        })
     }
 
     /// Returns the options with which `convert` takes the mesh, those that are on included; none if
@@ -249,10 +271,14 @@ impl<'a> Refused<'a> {
         way.clean |= breaks(Law::DistinctCorners) || breaks(Law::DistinctFaces);
         way.clean |= faces.iter().any(|face| face.len() < 3);
         way.triangulate |= faces.iter().any(|face| face.len() > 3);
-        if breaks(Law::NoBoundary) {
-            way.reading.weld = self.welding_distance().or(way.reading.weld);
-        }
         let mut mended = Mesh::new(self.mesh.positions().to_vec(), faces.clone());
+        if breaks(Law::NoBoundary) {
+            let distance = match way.clean && mended.clean() != Cleaned::default() {
+                true => self.distance_that_closes(&mended),
+                false => self.welding_distance(),
+            };
+            way.reading.weld = distance.or(way.reading.weld);
+        }
         if let Some(distance) = way.reading.weld {
             mended.weld(distance);
         }
@@ -267,6 +293,40 @@ impl<'a> Refused<'a> {
         };
         Some(Way { repairs: way, is_open })
     }
+}
+
+/// Returns true if welding closes the mesh. `rim` are the vertices of its boundary.
+fn is_closed_by(distance: f64, mesh: &Mesh, rim: &[[f64; 3]]) -> bool {
+    // Vertices of the rim must meet, all but the two ends of a slit. If none do, that is soon
+    // known.
+    let mut points = Mesh::new(rim.to_vec(), Faces::default());
+    if points.weld(distance).merged_vertices == 0 {
+        return false;
+    }
+    let mut welded = Mesh::new(mesh.positions().to_vec(), mesh.faces().clone());
+    let dropped = welded.weld(distance).dropped_faces;
+    (dropped == 0 || only_slivers_collapse(distance, mesh)) && Survey::new(&welded).closed
+}
+
+/// Returns true if every face with a side that welding shortens to nothing has sides that are
+/// longer by far.
+fn only_slivers_collapse(distance: f64, mesh: &Mesh) -> bool {
+    /// The least length of the longest side of a sliver, by its shortest.
+    const SLIVER: f64 = 100.0;
+    mesh.faces().iter().all(|face| {
+        let next = face.iter().cycle().skip(1);
+        let sides = face.iter().zip(next).filter(|(a, b)| a != b);
+        let (shortest, longest) = sides
+            .filter_map(|(&a, &b)| side_length(mesh, [a, b]))
+            .fold((f64::INFINITY, 0.0_f64), |(least, most), x| (least.min(x), most.max(x)));
+        shortest > distance || longest >= SLIVER * distance
+    })
+}
+
+fn side_length(mesh: &Mesh, ends: [u32; 2]) -> Option<f64> {
+    let [a, b] = ends.map(|v| mesh.positions().get(v as usize));
+    let squares = a?.iter().zip(b?).map(|(a, b)| (a - b) * (a - b));
+    Some(squares.sum::<f64>().sqrt())
 }
 
 /// Returns the vertices of edges that belong to one face only.

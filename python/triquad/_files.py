@@ -36,7 +36,7 @@ def read(
     weld : float, optional
         Join vertices at most so far apart; 0 joins those at equal coordinates.
     clean : bool
-        Drop faces that repeat a corner, and triangles that repeat an earlier one.
+        Drop faces that repeat a corner, and faces that repeat an earlier one.
     triangulate : bool
         Cut faces of four or more corners into triangles.
 

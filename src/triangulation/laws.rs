@@ -105,7 +105,7 @@ impl Law {
                 "cut larger faces (Mesh::triangulate), drop smaller ones (Mesh::clean)"
             }
             Self::DistinctCorners => "drop degenerate faces (Mesh::clean)",
-            Self::DistinctFaces => "drop triangles that are there twice (Mesh::clean)",
+            Self::DistinctFaces => "drop faces that are there twice (Mesh::clean)",
             Self::AtMostTwoFaces => {
                 "separate the sheets that meet there, or remove the inner faces"
             }

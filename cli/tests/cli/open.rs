@@ -54,7 +54,9 @@ fn an_open_surface_is_converted_on_request() {
     let line = workshop.fail("check other.obj --against in.obj --open", 1);
     assert_contains(&line, &["other.obj", "vertex"], "check");
     let table = workshop.succeed("convert in.obj --open --compare");
-    assert_eq!(table.lines().count(), 1 + Algorithm::ALL.len());
+    assert_eq!(table.lines().count(), 1 + Algorithm::ALL.len() + 1);
+    let reason = "ds, gw and lrs take closed, two-sided surfaces only";
+    assert_eq!(table.lines().last(), Some(reason), "{table}");
 }
 
 #[test]

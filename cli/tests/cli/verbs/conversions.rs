@@ -56,7 +56,10 @@ fn the_triangulation_whose_triangles_were_paired_is_written() {
 
     workshop.succeed("convert in.obj --algorithm lrs -o out.obj --write-triangulation k.ply");
     let line = workshop.fail("check out.obj --against in.obj", 1);
-    assert_contains(&line, &["out.obj", "is not two triangles"], "quads of flipped triangles");
+    let told = ["out.obj", "is not two triangles", "--write-triangulation", "--triangulation"];
+    assert_contains(&line, &told, "quads of flipped triangles");
+    let line = workshop.fail("check out.obj --against in.obj --triangulation in.obj", 1);
+    assert!(!line.contains("--triangulation"), "{line}");
     let report = workshop.succeed("check out.obj --against in.obj --triangulation k.ply");
     assert_contains(&report, &["out.obj: ok", "k.ply"], "check");
     workshop.put_surface("sphere.obj", &grids::sphere(4));

@@ -51,7 +51,7 @@ fn cases() -> Vec<Case> {
         (with("f 1 2"), "--triangulate", cut_off, Some("--clean --triangulate")),
         (with("f 1 1 2"), "", "--clean drops degenerate", Some("--clean")),
         (with("f 1 1 2 3"), "--triangulate", "--clean drops", Some("--clean --triangulate")),
-        (with("f 2 1 3"), "", "--clean drops triangles", Some("--clean")),
+        (with("f 2 1 3"), "", "--clean drops faces", Some("--clean")),
         (turned.clone(), "", "--orient flips", Some("--orient")),
         (format!("{turned}f 2 1 3\n"), "", "--clean drops", Some("--clean --orient")),
         (bow_tie, "--orient", "give each fan a vertex", None),
@@ -162,6 +162,93 @@ fn faces_that_hang_by_an_edge_are_the_ones_to_remove() {
     workshop.put("in.obj", with("f 1 2 5\nf 5 6 1\nf 2 6 5\nf 6 2 1\n"));
     let advice = ["edge 1-2 ", "separate the sheets", "docs/formats.md"];
     assert_contains(&workshop.fail("convert in.obj", 2), &advice, "two solids");
+}
+
+/// Quads of a column with lids of their own, its last vertices 5e-8 from the first.
+fn column(more: &str) -> String {
+    let mut text = String::new();
+    let ring = |z: f64| {
+        let at = move |k: u32| 0.125 * std::f64::consts::PI * f64::from(k);
+        (0..=16).map(move |k| [at(k).cos(), at(k).sin() - 5e-8 * f64::from(k / 16), z])
+    };
+    for [x, y, z] in [ring(0.0), ring(1.0), ring(0.0), ring(1.0)].into_iter().flatten() {
+        text += &format!("v {x} {y} {z}\n");
+    }
+    for k in 1..=16 {
+        text += &format!("f {k} {} {} {}\n", k + 1, k + 18, k + 17);
+    }
+    let lid = |first: u32| (first..first + 16).map(|v| format!(" {v}")).collect::<Vec<_>>();
+    let under: String = lid(35).into_iter().rev().collect();
+    format!("{text}f{under}\nf{}\n{more}", lid(52).concat())
+}
+
+#[test]
+fn a_repeated_face_of_any_size_is_what_to_drop() {
+    let workshop = Workshop::new();
+    let way = "--weld 1e-7 --clean --triangulate";
+    let reversed = "f 4 21 20 3\n";
+    for (mesh, way) in [
+        (format!("{CUBE}{}\n", CUBE.trim().rsplit_once('\n').unwrap().1), "--clean --triangulate"),
+        (column(reversed), way),
+        (column("f 20 21 4 3\n"), way),
+    ] {
+        workshop.put("in.obj", mesh);
+        let run = workshop.run("info in.obj");
+        let stdout = String::from_utf8(run.stdout).unwrap();
+        assert!(!stdout.contains("remove face"), "{stdout}");
+        for law in ["[duplicate-face]", "[overfull-edge]"] {
+            let advice = format!("{law}\n          --clean drops faces that are there twice");
+            assert_contains(&stdout, &[&advice], law);
+        }
+        assert_contains(&run.stderr, &[&format!("'triquad convert in.obj {way}'")], "info");
+        workshop.succeed(&format!("convert in.obj {way} -o out.obj"));
+        workshop.succeed(&format!("check out.obj --against in.obj {way}"));
+    }
+    // In another order it is another face.
+    workshop.put("in.obj", format!("{CUBE}f 1 3 2 4\n"));
+    let stdout = String::from_utf8(workshop.run("info in.obj").stdout).unwrap();
+    assert_contains(&stdout, &["[duplicate-face]\n          remove one of them"], "twisted");
+}
+
+#[test]
+fn the_remedy_of_a_bow_tie_can_be_done() {
+    let workshop = Workshop::new();
+    let formats = include_str!("../../../../docs/formats.md");
+    let triangle = |corners: [[f32; 3]; 3]| {
+        let vertex = |[x, y, z]: [f32; 3]| format!("vertex {x} {y} {z}\n");
+        format!(
+            "facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n",
+            corners.map(vertex).concat()
+        )
+    };
+    let solid = |s: f32| {
+        let [o, x, y, z] = [[0.0; 3], [s, 0.0, 0.0], [0.0, s, 0.0], [0.0, 0.0, s]];
+        [[o, y, x], [o, x, z], [x, y, z], [y, o, z]].map(triangle).concat()
+    };
+    workshop.put("in.stl", format!("solid a\n{}{}endsolid a\n", solid(1.0), solid(-1.0)));
+    let bow_tie =
+        format!("{TETRAHEDRON}v 2 0 0\nv 0 2 0\nv 0 0 2\n{}", tetrahedron_of([4, 5, 6, 7]));
+    workshop.put("in.obj", bow_tie);
+    let (section, format) = ("Other repairs", "do it in another format");
+    assert!(formats.contains(&format!("\n## {section}\n")));
+    for (name, is_stl) in [("in.stl", true), ("in.obj", false)] {
+        let line = workshop.fail(&format!("convert {name}"), 2);
+        assert_contains(&line, &["[several-fans]", "docs/formats.md", section], name);
+        assert_eq!(line.contains(format), is_stl, "{line}");
+    }
+}
+
+#[test]
+fn faces_that_welding_drops_do_not_hide_the_distance() {
+    let workshop = Workshop::new();
+    // A sliver in the seam.
+    workshop.put("in.obj", column("f 17 1 18\n"));
+    let run = workshop.run("info in.obj");
+    let stdout = String::from_utf8(run.stdout).unwrap();
+    assert_contains(&stdout, &["no, but it is with --weld 1e-7"], "closed");
+    let way = "--weld 1e-7 --triangulate";
+    assert_contains(&run.stderr, &[&format!("'triquad convert in.obj {way}'")], "info");
+    workshop.succeed(&format!("convert in.obj {way} -o out.obj"));
 }
 
 /// What `--open` allows is a broken law in `info` all the same.
