@@ -34,17 +34,26 @@ pub(super) fn line_of_job(
     name: &str,
 ) -> Option<usize> {
     let variant = |item: &str| item.split_once(' ').is_some_and(|(_, variant)| variant == name);
-    let place = |RunSpec { algorithms, augmentations, orders, .. }: &RunSpec| {
-        let lists =
-            [("algorithms", algorithms), ("augmentations", augmentations), ("orders", orders)];
-        let (_, list) = lists.into_iter().find(|(list, _)| *list == key)?;
-        list.iter().position(|item| item == name || variant(item))
-    };
+    let place = |run: &RunSpec| run.list(key).iter().position(|item| item == name || variant(item));
     experiment.groups.iter().enumerate().find_map(|(at, group)| {
         let mut runs = group.runs.iter().enumerate();
         let (run, place) = runs.find_map(|(run, spec)| Some((run, place(spec)?)))?;
         let path = [item("group", at), item("run", run), item(key, place)];
         Some(line_of(text, &path.into_iter().flatten().collect::<Vec<_>>()))
+    })
+}
+
+/// Returns the line of the algorithms of the first run that `is_meant`.
+pub(super) fn line_of_run(
+    experiment: &Experiment,
+    text: &str,
+    is_meant: impl Fn(&RunSpec) -> bool,
+) -> Option<usize> {
+    experiment.groups.iter().enumerate().find_map(|(at, group)| {
+        let run = group.runs.iter().position(&is_meant)?;
+        let path = [item("group", at), item("run", run)].into_iter().flatten();
+        let path: Vec<_> = path.chain([Step::Key("algorithms".into())]).collect();
+        Some(line_of(text, &path))
     })
 }
 

@@ -181,6 +181,16 @@ impl Experiment {
                 let line = places::line_of_job(&experiment, text, list, error.name());
                 SpecError::UnknownName { line, list, error }
             }
+            SpecError::NoList { algorithm, list, example, .. } => {
+                let line = places::line_of_run(&experiment, text, |run| {
+                    run.algorithms.contains(&algorithm) && run.list(list).is_empty()
+                });
+                SpecError::NoList { line, algorithm, list, example }
+            }
+            SpecError::NoAlgorithms { .. } => {
+                let line = places::line_of_run(&experiment, text, |run| run.algorithms.is_empty());
+                SpecError::NoAlgorithms { line }
+            }
             error => error,
         })?;
         experiment.remarks = unused_keys::check(&experiment, text)?;
@@ -273,6 +283,15 @@ impl Limits {
     }
 }
 
+/// Returns the error for an algorithm of ours without a list that it needs.
+fn lacks_list(task: Task, algorithm: &str) -> SpecError {
+    let (list, example) = match task {
+        Task::Convert => ("augmentations", "local"),
+        Task::Irreducible => ("orders", "random"),
+    };
+    SpecError::NoList { line: None, algorithm: algorithm.into(), list, example }
+}
+
 impl RunSpec {
     /// Checks that everything is done at full scale, and no more often than rows can be kept of.
     fn check_numbers(&self) -> Result<(), SpecError> {
@@ -287,6 +306,16 @@ impl RunSpec {
         paths.try_for_each(|&paths| check_number("stop_after_paths", paths, u64::from(u32::MAX)))
     }
 
+    /// Returns the list of that key; an empty one for another key.
+    pub(super) fn list(&self, key: &str) -> &[String] {
+        match key {
+            "algorithms" => &self.algorithms,
+            "augmentations" => &self.augmentations,
+            "orders" => &self.orders,
+            _ => &[],
+        }
+    }
+
     /// Returns the jobs: every algorithm in every way, every program once.
     pub(super) fn jobs(&self, task: Task, programs: &[ProgramSpec]) -> Result<Vec<Job>, SpecError> {
         let mut jobs = Vec::new();
@@ -298,21 +327,16 @@ impl RunSpec {
                     let own = self.jobs_of(task, ours.as_ref().unwrap_or(name), programs)?;
                     // A program beside it would hide that it is not run.
                     if own.is_empty() {
-                        return Err(self.nothing_to_run(task));
+                        return Err(lacks_list(task, name));
                     }
                     jobs.extend(own);
                 }
             }
         }
         if jobs.is_empty() {
-            return Err(self.nothing_to_run(task));
+            return Err(SpecError::NoAlgorithms { line: None });
         }
         Ok(jobs)
-    }
-
-    fn nothing_to_run(&self, task: Task) -> SpecError {
-        let list = if task == Task::Convert { "augmentations" } else { "orders" };
-        SpecError::NothingToRun { algorithms: self.algorithms.clone(), list }
     }
 
     /// Returns the jobs of an algorithm of ours.
@@ -443,7 +467,7 @@ mod tests {
         for algorithms in ["\"mine\", \"ps\"", "\"ps\", \"mine\""] {
             let text = text.replace("\"ps\", \"lrs few-flips\"", algorithms);
             let fault = Experiment::parse(&text).unwrap_err().to_string();
-            assert!(fault.ends_with("needs algorithms and augmentations"), "{fault}");
+            assert!(fault.starts_with("line 17: ps needs augmentations; "), "{fault}");
         }
         let alone = text.replace("\"ps\", \"lrs few-flips\"", "\"mine\"");
         let alone = alone.replace("stop_after_paths = { A1 = 7 }", "");
@@ -485,7 +509,12 @@ mod tests {
         assert!(twice.starts_with("group \"g\" names lrs few-flips tarjan twice"), "{twice}");
         assert!(problem("name = \"g\"", "name = \"g\\nh\"").contains("control character"));
         let nothing = problem("augmentations = [\"tarjan\", \"local\"]", "orders = [\"file\"]");
-        assert!(nothing.contains("needs algorithms and augmentations"), "{nothing}");
+        assert_eq!(
+            nothing,
+            "line 13: ps needs augmentations; add a line augmentations = [\"local\"]"
+        );
+        let none = problem("[\"ps\", \"lrs few-flips\"]", "[]");
+        assert!(none.starts_with("line 13: algorithms is empty; "), "{none}");
         let often = problem("{ full = 10, small = 5, demo = 2 }", "3");
         assert!(often.ends_with("expected a number a scale: { full = 3, small = 3, demo = 3 }"));
         let limits = problem("[limits]\n", "limits = 3\n[other]\n");

@@ -16,6 +16,11 @@ pub struct SpecFileError {
     pub error: SpecError,
 }
 
+/// Writes the line of a fault, where it is known.
+fn at(line: Option<usize>) -> String {
+    line.map_or(String::new(), |line| format!("line {line}: "))
+}
+
 /// Fault of an experiment.
 #[derive(Debug, thiserror::Error)]
 pub enum SpecError {
@@ -31,7 +36,7 @@ pub enum SpecError {
         message: String,
     },
     /// A name is not known.
-    #[error("{}{error}", line.map_or(String::new(), |line| format!("line {line}: ")))]
+    #[error("{}{error}", at(*line))]
     UnknownName {
         /// Line, from 1, where it is known.
         line: Option<usize>,
@@ -74,12 +79,22 @@ pub enum SpecError {
         /// Reason and remedy.
         why: String,
     },
-    /// A run has nothing to do.
-    #[error("a run of {algorithms:?} needs algorithms and {list}")]
-    NothingToRun {
-        /// The algorithms that it names.
-        algorithms: Vec<String>,
-        /// The list that is missing if the algorithms are not.
+    /// An algorithm of ours lacks a list that it needs.
+    #[error("{}{algorithm} needs {list}; add a line {list} = [\"{example}\"]", at(*line))]
+    NoList {
+        /// Line of the algorithms, from 1.
+        line: Option<usize>,
+        /// The algorithm.
+        algorithm: String,
+        /// Key of the list.
         list: &'static str,
+        /// Name that it may have.
+        example: &'static str,
+    },
+    /// A run names no algorithms.
+    #[error("{}algorithms is empty; name at least one", at(*line))]
+    NoAlgorithms {
+        /// Line, from 1.
+        line: Option<usize>,
     },
 }
