@@ -252,21 +252,25 @@ impl Cell {
     }
 }
 
-/// Takes origin and size of a mesh from the runs that have them, and sorts the cells.
+/// Takes the origin of a cell from its own runs; else, as its size, from other runs on the mesh, ours
+/// before imported ones. Sorts the cells.
 fn set_origins_and_sort(cells: &mut [Cell]) {
     let mesh = |MeshId { experiment, scale, name, .. }: &MeshId| {
         (experiment.clone(), *scale, name.clone())
     };
     let mut known = HashMap::<_, (Option<Origin>, u64)>::new();
-    for cell in cells.iter() {
+    let origin_of = |run: &RunRecord| Origin::of(run.mesh_kind, &run.mesh_sha256);
+    let (imported, ours): (Vec<&Cell>, Vec<&Cell>) =
+        cells.iter().partition(|cell| cell.was_imported());
+    for cell in ours.into_iter().chain(imported) {
         let (origin, triangles) = known.entry(mesh(&cell.id.mesh)).or_default();
         for run in &cell.runs {
-            origin.get_or_insert_with(|| Origin::of(run.mesh_kind, &run.mesh_sha256));
+            origin.get_or_insert_with(|| origin_of(run));
             *triangles = (*triangles).max(run.measured.triangles.unwrap_or(0));
         }
     }
     for cell in cells.iter_mut() {
-        cell.origin = known[&mesh(&cell.id.mesh)].0;
+        cell.origin = cell.runs.first().map(origin_of).or(known[&mesh(&cell.id.mesh)].0);
     }
     cells.sort_by_cached_key(|cell| {
         let RunId { mesh: id, job } = &cell.id;

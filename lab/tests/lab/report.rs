@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use triquad::augmentation::Augmentation;
 use triquad::irreducible::Contractor;
 use triquad::pairing::{Algorithm, Expansion};
+use triquad_lab::experiment::import::{self, ImportSettings};
 use triquad_lab::experiment::{Job, Measured, Outcome, Results, RunRecord};
 use triquad_lab::meshes::MeshKind;
 use triquad_lab::meshes::paper::Scale;
@@ -213,6 +214,31 @@ fn stand_ins_extrapolation_and_disturbed_runs_are_told() {
     let ratios = table(&results, "table_7.csv");
     assert_eq!(field(&ratios, &["ir-B0"], "schipper_to_rs_seconds"), "");
     assert_eq!(field(&ratios, &["ir-B0"], "schipper_to_rs_tests"), "1.008");
+}
+
+#[test]
+fn imported_rows_and_ours_keep_the_kind_of_their_own_mesh() {
+    let settings = ImportSettings {
+        algorithm: "theirs".into(),
+        task: None,
+        scale: Scale::Full,
+        mapping: Vec::new(),
+        allows_other_meshes: false,
+    };
+    let text = "mesh,total_seconds,triangles,quads\nbotijo,0.02,28544,14272\n";
+    let imported = import::read(text, &settings).unwrap();
+    let is_botijo = |run: &&mut RunRecord| run.id.mesh.name == "botijo";
+    for ours in [MeshKind::StandIn, MeshKind::Generated] {
+        let mut results = of_the_papers();
+        results.records.iter_mut().filter(is_botijo).for_each(|run| run.mesh_kind = ours);
+        results.planned.extend(imported.planned());
+        // Whichever stands first.
+        results.records.splice(0..0, imported.records.clone());
+        let pairings = table(&results, "table_4_3.csv");
+        let kind = |algorithm| field(&pairings, &["botijo", algorithm], "mesh_kind");
+        assert_eq!([kind("ps"), kind("ds"), kind("theirs")], [ours.id(), ours.id(), "file"]);
+        assert_eq!(field(&table(&results, "table_4_1.csv"), &["botijo"], "mesh_kind"), ours.id());
+    }
 }
 
 #[test]

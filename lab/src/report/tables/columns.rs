@@ -36,9 +36,11 @@ impl<'a, P> Line<'a, P> {
         Self { mesh: mesh.into(), of_mesh, cells: Vec::new(), paper: printed }
     }
 
-    /// Returns the origin of the mesh.
+    /// Returns the origin of the mesh: that of the cells shown, else that of ours.
     fn origin(&self) -> Option<Origin> {
-        self.of_mesh.first().and_then(|cell| cell.origin)
+        let shown = self.cells.iter().flatten();
+        let ours = self.of_mesh.iter().filter(|cell| !cell.was_imported());
+        shown.chain(ours).chain(&self.of_mesh).find_map(|cell| cell.origin)
     }
 
     /// Returns a count of the mesh from whichever of its cells has it.
