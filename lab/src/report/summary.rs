@@ -252,8 +252,8 @@ impl Cell {
     }
 }
 
-/// Takes the origin of a cell from its own runs; else, as its size, from other runs on the mesh, ours
-/// before imported ones. Sorts the cells.
+/// Takes the origin of a cell from its own runs; else, as its size, from other runs on the mesh,
+/// ours before imported ones. Sorts the cells.
 fn set_origins_and_sort(cells: &mut [Cell]) {
     let mesh = |MeshId { experiment, scale, name, .. }: &MeshId| {
         (experiment.clone(), *scale, name.clone())
