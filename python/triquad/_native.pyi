@@ -5,7 +5,7 @@ Functions behind the package `triquad`; not to be called directly.
 from numpy import float64, int64, uint32
 from numpy.typing import NDArray
 from os import PathLike
-from typing import Any, SupportsIndex
+from typing import Any, SupportsFloat, SupportsIndex
 
 __all__ = ["check", "clean", "convert", "irreducible", "pair", "read", "simplify", "solve", "survey", "weld", "write"]
 
@@ -35,7 +35,7 @@ def pair(triangles: NDArray[Any], options: "dict[str, Any]") -> tuple[NDArray[ui
     Pairs triangles without coordinates; row by row the lower and the upper triangle of a pair.
     """
 
-def read(path: str | PathLike[str], weld: float | None, clean: bool, triangulate: bool) -> tuple[NDArray[float64], NDArray[uint32]]:
+def read(path: str | PathLike[str], weld: SupportsFloat | SupportsIndex | None, clean: bool, triangulate: bool) -> tuple[NDArray[float64], NDArray[uint32]]:
     """
     Reads a mesh file and repairs it, in this order. Returns positions and faces of one size.
     """
@@ -55,7 +55,7 @@ def survey(vertices: NDArray[Any], triangles: NDArray[Any]) -> str:
     Counts a mesh and the laws that it breaks. Returns JSON.
     """
 
-def weld(vertices: NDArray[Any], triangles: NDArray[Any], distance: float) -> tuple[NDArray[float64], NDArray[uint32]]:
+def weld(vertices: NDArray[Any], triangles: NDArray[Any], distance: SupportsFloat | SupportsIndex) -> tuple[NDArray[float64], NDArray[uint32]]:
     """
     Joins vertices at most `distance` apart. Returns the vertices left and triangles on them.
     """
