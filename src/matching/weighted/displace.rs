@@ -12,9 +12,9 @@ use super::number::Number;
 
 /// What the edges of a free node offer. The room of an edge is its cost less the potential of the
 /// other end: as high as that, the node's own potential can be.
-struct Offers<N> {
+pub(super) struct Offers<N> {
     least: N,
-    /// The half-edge that leaves the least room, one to a free node or the ground if there is.
+    /// The half-edge that leaves the least room, one to a free node if there is.
     best: u32,
     is_free: bool,
     /// The least room of the others.
@@ -41,15 +41,23 @@ pub(super) fn displace_each<S: Nodes>(nodes: &mut S, free: &mut Vec<u32>, steps:
     free.dedup();
 }
 
-/// Raises the potential of a free node and pairs it if it can. Returns the node that is free now
-/// instead.
-fn displace<S: Nodes>(nodes: &mut S, node: u32) -> Option<u32> {
-    let Offers { least, best, is_free, second } = offers(nodes, node)?;
-    nodes.add_potential(node, least - nodes.potential(node));
-    if is_free {
-        nodes.pair(best);
+/// Raises the potential of a free node and pairs it if it can. Returns what its edges offer, if it
+/// stays free.
+#[inline]
+pub(super) fn raise<S: Nodes>(nodes: &mut S, node: u32) -> Option<Offers<S::N>> {
+    let offers = offers(nodes, node)?;
+    nodes.add_potential(node, offers.least - nodes.potential(node));
+    if offers.is_free || offers.best == nodes.ground(node) {
+        nodes.pair(offers.best);
         return None;
     }
+    Some(offers)
+}
+
+/// Raises a free node, and takes the mate of another if it stays free. Returns the node that is
+/// free now instead.
+fn displace<S: Nodes>(nodes: &mut S, node: u32) -> Option<u32> {
+    let Offers { least, best, second, .. } = raise(nodes, node)?;
     let other = nodes.head(best);
     let given_up = nodes.mate(other);
     let is_grounded = given_up == nodes.ground(other);
@@ -77,7 +85,8 @@ fn displace<S: Nodes>(nodes: &mut S, node: u32) -> Option<u32> {
 /// Looks at the edges of a free node and at its ground; `None` if there is neither.
 #[inline]
 fn offers<S: Nodes>(nodes: &S, node: u32) -> Option<Offers<S::N>> {
-    let to_ground = |least| Offers { least, best: nodes.ground(node), is_free: true, second: None };
+    let to_ground =
+        |least| Offers { least, best: nodes.ground(node), is_free: false, second: None };
     let mut offers = nodes.price(node).map(to_ground);
     for side in nodes.sides(node) {
         let twin = nodes.twin(side);

@@ -1,6 +1,6 @@
 //! Greedy potentials and pairs.
 
-use super::displace::displace_each;
+use super::displace::{displace_each, raise};
 use super::limits::Limits;
 use super::nodes::{NONE, Nodes};
 use super::number::Number;
@@ -45,29 +45,4 @@ pub(super) fn raise_each<S: Nodes>(nodes: &mut S, border: Vec<u32>, free: &mut V
     }
     free.retain(|&node| nodes.mate(node) == NONE);
     free.sort_unstable();
-}
-
-/// Raises the potential of a free node; pairs it with a free node if it can.
-fn raise<S: Nodes>(nodes: &mut S, node: u32) {
-    let mut least = nodes.price(node);
-    let mut best = nodes.ground(node);
-    let mut is_free = false;
-    for side in nodes.sides(node) {
-        let twin = nodes.twin(side);
-        if twin == NONE {
-            continue;
-        }
-        let other = nodes.origin(twin);
-        let room = nodes.cost(side) - nodes.potential(other);
-        let other_free = nodes.mate(other) == NONE;
-        let is_better = least.is_none_or(|least| room < least);
-        if is_better || (least == Some(room) && other_free && !is_free) {
-            (least, best, is_free) = (Some(room), side, other_free);
-        }
-    }
-    let Some(least) = least else { return };
-    nodes.add_potential(node, least - nodes.potential(node));
-    if best == nodes.ground(node) || is_free {
-        nodes.pair(best);
-    }
 }
