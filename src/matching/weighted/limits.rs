@@ -73,8 +73,8 @@ impl Limits {
         border <= nodes / self.border
     }
 
-    /// Returns the greatest limit for trees in a part.
-    pub(super) fn most_in_part(self, nodes: usize) -> usize {
-        nodes / self.parts(nodes) / self.share
+    /// Returns the greatest limit for trees in one of so many parts.
+    pub(super) fn most_in_part(self, nodes: usize, parts: usize) -> usize {
+        nodes / parts / self.share
     }
 }

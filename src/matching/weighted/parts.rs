@@ -4,7 +4,7 @@
 //! changes them: a search that would have to is left for the end, when all nodes are in view. The
 //! parts depend on the number of nodes alone, so the threads do not change the result.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use super::blossoms::{Grown, Outcome, Trees};
 use super::cubic::{Cubic, Rows};
@@ -38,24 +38,102 @@ pub(super) fn run_in_parts<N: Number>(
     let mut work = Work::of::<N>();
     let roots = half_phase(&mut rows, limits, &mut work, observer)?;
     work.blossom_roots = roots.len() as u64;
-    let most = limits.most_in_part(rows.len());
-    let mut rest: &[u32] = &roots;
-    let mut parts = Vec::new();
-    for nodes in rows.parts(limits.ranges(rows.len())) {
-        let (own, others) = rest.split_at(rest.partition_point(|&root| root < nodes.range().end));
-        parts.push((nodes, own.to_vec()));
-        rest = others;
+    let mut groups = Group::of_each(limits.ranges(rows.len()), &roots);
+    let mut before = 0;
+    while groups.len() > 1 {
+        let most = limits.most_in_part(rows.len(), groups.len());
+        groups = pair_in_each(&mut rows, groups, before..most, limits, observer)?;
+        groups = unite_neighbours(groups);
+        before = most;
     }
-    let pair = |(nodes, roots), in_a_hurry| {
-        pair_in_part(nodes, roots, limits, if in_a_hurry { 0 } else { most })
-    };
-    let grown = in_batches(parts, Stage::Blossoms, roots.len(), observer, pair)?;
-    let (grown, roots): (Vec<_>, Vec<_>) = grown.into_iter().unzip();
-    let mut left = Roots::default();
-    roots.into_iter().for_each(|roots| left.add(roots));
-    let mut trees = join(&mut rows, grown, limits, work)?;
-    trees.pair_all(left, most, limits, observer)?;
+    let Group { grown, roots, .. } = groups.pop().expect("there are nodes");
+    renumber_sets(&mut rows, &[&grown])?;
+    let mut trees = Trees::join(rows.whole(), grown, work);
+    trees.pair_all(roots, before, limits, observer)?;
     Ok(trees.finish())
+}
+
+/// Neighbouring parts that are one now: two of them, or at first one.
+struct Group<N> {
+    range: Range<u32>,
+    grown: Vec<Grown<N>>,
+    roots: Roots,
+}
+
+impl<N: Number> Group<N> {
+    /// Makes a group of each range, with those of the `roots` that are in it.
+    fn of_each(ranges: impl Iterator<Item = Range<u32>>, roots: &[u32]) -> Vec<Self> {
+        let mut rest = roots;
+        ranges
+            .map(|range| {
+                let (own, others) = rest.split_at(rest.partition_point(|&root| root < range.end));
+                rest = others;
+                let grown = vec![Grown::new(range.clone())];
+                Self { range, grown, roots: Roots::new(own.to_vec()) }
+            })
+            .collect()
+    }
+}
+
+/// Makes one group of each two neighbours.
+fn unite_neighbours<N>(groups: Vec<Group<N>>) -> Vec<Group<N>> {
+    let mut united: Vec<Group<N>> = Vec::with_capacity(groups.len().div_ceil(2));
+    for (place, group) in groups.into_iter().enumerate() {
+        match united.last_mut().filter(|_| place % 2 == 1) {
+            Some(last) => {
+                last.range.end = group.range.end;
+                last.grown.extend(group.grown);
+                last.roots.add(group.roots);
+            }
+            None => united.push(group),
+        }
+    }
+    united
+}
+
+/// Pairs the roots of each group that need no larger trees than of `limits_now.end` nodes. Those
+/// that were cut before have been searched from with limits up to its start.
+fn pair_in_each<N: Number>(
+    rows: &mut Rows<N>,
+    groups: Vec<Group<N>>,
+    limits_now: Range<usize>,
+    limits: Limits,
+    observer: &mut Observer,
+) -> Result<Vec<Group<N>>, Refusal> {
+    renumber_sets(rows, &groups.iter().map(|group| &group.grown).collect::<Vec<_>>())?;
+    let roots = groups.iter().map(|group| group.roots.len()).sum();
+    let ranges: Vec<_> = groups.iter().map(|group| group.range.clone()).collect();
+    let parts = rows.parts(ranges.into_iter()).into_iter().zip(groups).collect();
+    let pair = |(nodes, group): (_, Group<N>), in_a_hurry: bool| {
+        let mut goes_on = |_| ControlFlow::Continue(());
+        let mut trees = Trees::join(nodes, group.grown, Work::default());
+        let most = if in_a_hurry { 0 } else { limits_now.end };
+        let within = limits_now.start..most;
+        let observer = &mut Observer::new(&mut goes_on);
+        let roots = trees.pair_within(within, group.roots, limits, observer)?;
+        Ok(Group { range: group.range, grown: vec![trees.into_grown()], roots })
+    };
+    in_batches(parts, Stage::Blossoms, roots, observer, pair)
+}
+
+/// Numbers the sets of the nodes of each group anew, as [`Trees::join`] numbers them.
+fn renumber_sets<N: Number>(rows: &mut Rows<N>, groups: &[&Vec<Grown<N>>]) -> Result<(), Refusal> {
+    let (mut ranges, mut before) = (Vec::new(), Vec::new());
+    for grown in groups {
+        let mut sets = 0;
+        for part in *grown {
+            ranges.push(part.range());
+            before.push(sets);
+            sets += part.set_count();
+        }
+        if sets > Cubic::<N, false>::MOST_SETS as usize {
+            return Err(Refusal::TooNarrow);
+        }
+    }
+    let parts = rows.parts(ranges.into_iter()).into_iter().zip(before);
+    let moved = parts.filter(|&(_, before)| before > 0).collect();
+    map(moved, |(mut nodes, before)| Grown::<N>::renumber_sets(&mut nodes, before as u32));
+    Ok(())
 }
 
 /// Starts, and finds the half-integral optimum; returns one node of each odd cycle, in order.
@@ -103,40 +181,6 @@ impl Half {
         }
         Ok(Self { roots, border, cycles, work })
     }
-}
-
-/// Pairs the roots of a part that need no larger trees than `most`; returns the others, too.
-fn pair_in_part<N: Number>(
-    nodes: Cubic<N, true>,
-    roots: Vec<u32>,
-    limits: Limits,
-    most: usize,
-) -> Result<(Grown<N>, Roots), Refusal> {
-    let mut goes_on = |_| ControlFlow::Continue(());
-    let mut trees = Trees::new(nodes, Work::default());
-    let left = trees.pair_within(most, roots, limits, &mut Observer::new(&mut goes_on))?;
-    Ok((trees.into_grown(), left))
-}
-
-/// Joins the blossoms of all parts.
-fn join<N: Number>(
-    rows: &mut Rows<N>,
-    grown: Vec<Grown<N>>,
-    limits: Limits,
-    work: Work,
-) -> Result<Trees<Cubic<'_, N, false>>, Refusal> {
-    let mut before = vec![0];
-    for part in &grown {
-        before.push(before[before.len() - 1] + part.set_count());
-    }
-    if before[grown.len()] > Cubic::<N, false>::MOST_SETS as usize {
-        return Err(Refusal::TooNarrow);
-    }
-    let parts = rows.parts(limits.ranges(rows.len()));
-    map(parts.into_iter().zip(before).collect(), |(mut nodes, before)| {
-        Grown::<N>::renumber_sets(&mut nodes, before as u32);
-    });
-    Ok(Trees::join(rows.whole(), grown, work))
 }
 
 /// Does `work` with as many parts at once as there are threads; passes news on in between.

@@ -15,6 +15,11 @@ impl Roots {
         Self { blocked: nodes, cut: Vec::new() }
     }
 
+    /// Returns the number of roots.
+    pub(super) fn len(&self) -> usize {
+        self.blocked.len() + self.cut.len()
+    }
+
     /// Adds the roots of another part.
     pub(super) fn add(&mut self, other: Self) {
         self.blocked.extend(other.blocked);

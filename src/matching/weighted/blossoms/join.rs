@@ -1,13 +1,16 @@
 //! Families of parts of the nodes become one of all.
 
+use std::ops::Range;
+
 use super::super::nodes::{NONE, Nodes};
 use super::super::number::Number;
 use super::super::work::Work;
 use super::family::{Blossom, Family, Kid, Set};
 use super::search::Trees;
 
-/// The blossoms of some of the nodes, without the nodes. No search is under way.
+/// The blossoms of a range of nodes, without the nodes. No search is under way.
 pub(crate) struct Grown<N> {
+    range: Range<u32>,
     next: Vec<u32>,
     blossoms: Vec<Blossom<N>>,
     sets: Vec<Set<N>>,
@@ -19,18 +22,25 @@ pub(crate) struct Grown<N> {
 impl<S: Nodes> Trees<S> {
     /// Leaves the nodes behind.
     pub(crate) fn into_grown(self) -> Grown<S::N> {
+        let range = self.family.nodes.range();
         let Family { next, blossoms, sets, unused_blossoms, unused_sets, .. } = self.family;
-        Grown { next, blossoms, sets, unused_blossoms, unused_sets, work: self.work }
+        Grown { range, next, blossoms, sets, unused_blossoms, unused_sets, work: self.work }
     }
 
-    /// Joins the trees of parts that hold each node once, in order.
+    /// Joins the trees of parts, at least one, that hold each node once, in order.
     ///
     /// The sets of the nodes must have been renumbered: see [`Grown::renumber_sets`].
-    pub(crate) fn join(nodes: S, parts: Vec<Grown<S::N>>, work: Work) -> Self {
+    pub(crate) fn join(nodes: S, parts: Vec<Grown<S::N>>, mut work: Work) -> Self {
         let count = nodes.len();
-        let mut trees = Self::new(nodes, work);
-        trees.family.next.clear();
-        parts.into_iter().for_each(|part| trees.add(part, count));
+        let mut parts = parts.into_iter();
+        let first = parts.next().expect("there is a part");
+        work.add(first.work);
+        let Grown { next, blossoms, sets, unused_blossoms, unused_sets, .. } = first;
+        let pending = vec![Vec::new(); sets.len()];
+        let family =
+            Family { nodes, next, blossoms, sets, pending, unused_blossoms, unused_sets };
+        let mut trees = Self::of(family, work);
+        parts.for_each(|part| trees.add(part, count));
         trees
     }
 
@@ -55,6 +65,24 @@ impl<S: Nodes> Trees<S> {
 }
 
 impl<N: Number> Grown<N> {
+    /// Makes a part without blossoms.
+    pub(crate) fn new(range: Range<u32>) -> Self {
+        Self {
+            next: vec![NONE; range.len()],
+            range,
+            blossoms: Vec::new(),
+            sets: Vec::new(),
+            unused_blossoms: Vec::new(),
+            unused_sets: Vec::new(),
+            work: Work::default(),
+        }
+    }
+
+    /// Returns the nodes of the part.
+    pub(crate) fn range(&self) -> Range<u32> {
+        self.range.clone()
+    }
+
     /// Returns the number of sets.
     pub(crate) fn set_count(&self) -> usize {
         self.sets.len()

@@ -1,5 +1,7 @@
 //! Rounds of searches, each with a greater limit than the one before.
 
+use std::ops::Range;
+
 use super::super::limits::Limits;
 use super::super::nodes::{Label, NONE, Nodes};
 use super::super::observer::{Observer, Stage};
@@ -34,20 +36,25 @@ impl<S: Nodes> Trees<S> {
         Ok(())
     }
 
-    /// Pairs roots as long as that takes no limit beyond `most`; returns the others.
+    /// Pairs roots with the limits up to the end of `within`; returns the others. Those that were
+    /// cut before miss the rounds with limits up to its start.
     pub(crate) fn pair_within(
         &mut self,
-        most: usize,
-        roots: Vec<u32>,
+        within: Range<usize>,
+        mut left: Roots,
         limits: Limits,
         observer: &mut Observer,
     ) -> Result<Roots, Refusal> {
-        let mut left = Roots { cut: roots, ..Roots::default() };
+        let mut roots = left.take_blocked();
         let mut limit = limits.first;
-        while !left.cut.is_empty() && limit <= most {
-            self.search_each(&mut left.cut, &mut left.blocked, limit, observer)?;
+        while limit <= within.end && !(roots.is_empty() && left.cut.is_empty()) {
+            if limit > within.start {
+                left.join_cut(&mut roots);
+            }
+            self.search_each(&mut roots, &mut left.blocked, limit, observer)?;
             limit = limits.next(limit);
         }
+        left.cut.append(&mut roots);
         Ok(left)
     }
 

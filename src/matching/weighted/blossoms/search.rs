@@ -41,8 +41,12 @@ pub(super) enum Found {
 
 impl<S: Nodes> Trees<S> {
     pub(crate) fn new(nodes: S, work: Work) -> Self {
+        Self::of(Family::new(nodes), work)
+    }
+
+    pub(super) fn of(family: Family<S>, work: Work) -> Self {
         Self {
-            family: Family::new(nodes),
+            family,
             clock: S::N::ZERO,
             queue: Queue::new(),
             scan: VecDeque::new(),
