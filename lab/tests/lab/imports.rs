@@ -267,6 +267,9 @@ fn a_total_is_computed_where_both_parts_are_known_and_missed_elsewhere() {
     assert_eq!(read("mesh,unpaired_triangles\nbotijo,5\n").missing_parts, []);
     let both = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.5,0\n";
     assert_eq!((totals(both), read(both).missing_parts), (vec![Some(0.5)], vec![]));
+    // A sum has no more digits than its parts.
+    let sum = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.1,0.2\n";
+    assert_eq!(totals(sum), [Some(0.3)]);
     // The task "irreducible" has one time only.
     let reduction = "mesh,seconds,link_condition_tests\nir-B0,0.5,9\n";
     assert_eq!(read(reduction).missing_parts, []);

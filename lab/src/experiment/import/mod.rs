@@ -11,6 +11,7 @@ use std::path::Path;
 
 use csv::StringRecord;
 use serde::Deserialize;
+use triquad::clock::to_nanoseconds;
 use triquad::counted::counted;
 use triquad::mesh::Format;
 
@@ -204,7 +205,7 @@ impl Imported {
         }
         let (column, known) = match (measured.pairing_seconds, measured.augmentation_seconds) {
             (Some(pairing), Some(augmentation)) => {
-                measured.total_seconds = Some(pairing + augmentation);
+                measured.total_seconds = Some(to_nanoseconds(pairing + augmentation));
                 return;
             }
             (Some(_), None) => (AUGMENTATION, PAIRING),
