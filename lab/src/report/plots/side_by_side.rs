@@ -2,7 +2,7 @@
 
 use super::axis::Spread;
 use super::chart::Chart;
-use super::ratios::Rows;
+use super::ratios::{Ratio, Rows};
 use crate::algorithms::Look;
 use crate::experiment::{Job, RunRecord};
 use crate::paper::Paper;
@@ -53,14 +53,13 @@ fn chart(summary: &Summary, stem: &str, number: impl Fn(&RunRecord) -> Option<f6
         let on = |mesh: &str| cells.iter().find(|cell| cell.mesh() == mesh && cell.id.job == job);
         rows.add(&job.label(), look, false, |mesh| {
             let cell: &Cell = on(mesh)?;
-            Some((cell.mean(&number)?, false))
+            Some(Ratio::of([cell], cell.mean(&number)?).exact())
         });
     }
     // No times are shown, so that no remark on times is needed.
-    let notes = Note::on(cells.into_iter()).into_iter().filter(|note| *note == Note::StandIn);
-    let notes = notes.filter_map(|note| note.legend()).collect();
-    let chart = rows.chart(stem, "", "", ["", ""]);
-    Chart { x_spread: Spread::Linear, line: None, notes, ..chart }
+    let mut chart = rows.chart(stem, "", "", ["", ""]);
+    chart.notes.retain(|note| Some(note) == Note::StandIn.legend().as_ref());
+    Chart { x_spread: Spread::Linear, line: None, ..chart }
 }
 
 #[cfg(test)]
