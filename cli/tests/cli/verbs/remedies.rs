@@ -230,7 +230,12 @@ fn the_remedy_of_a_bow_tie_can_be_done() {
         format!("{TETRAHEDRON}v 2 0 0\nv 0 2 0\nv 0 0 2\n{}", tetrahedron_of([4, 5, 6, 7]));
     workshop.put("in.obj", bow_tie);
     let (section, format) = ("Other repairs", "do it in another format");
-    assert!(formats.contains(&format!("\n## {section}\n")));
+    let (_, repairs) = formats.split_once(&format!("\n## {section}\n")).unwrap();
+    let (repairs, _) = repairs.split_once("\n## ").unwrap();
+    // What was tried, in this order.
+    let edges = "meshing_repair_non_manifold_edges(method=\"Split Vertices\")\n";
+    let filters = format!("{edges}m.meshing_repair_non_manifold_vertices()\n");
+    assert_contains(repairs, &[&filters], "a command that does it");
     for (name, is_stl) in [("in.stl", true), ("in.obj", false)] {
         let line = workshop.fail(&format!("convert {name}"), 2);
         assert_contains(&line, &["[several-fans]", "docs/formats.md", section], name);
