@@ -10,19 +10,32 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 
+/// Rounds seconds to nanoseconds, the resolution of the system's clock. Differences and sums of
+/// times are then written with the digits that were measured, and no others.
+///
+/// ```
+/// use triquad::clock::to_nanoseconds;
+///
+/// assert_eq!(0.1 + 0.2, 0.30000000000000004);
+/// assert_eq!(to_nanoseconds(0.1 + 0.2), 0.3);
+/// ```
+pub fn to_nanoseconds(seconds: f64) -> f64 {
+    (1e9 * seconds).round() / 1e9
+}
+
 /// A source of seconds since some fixed moment.
 pub trait Clock {
     /// Returns the seconds, which never decrease.
     fn seconds(&self) -> f64;
 
-    /// Runs `work` and returns its result with the seconds that passed.
+    /// Runs `work` and returns its result with the seconds that passed, in whole nanoseconds.
     fn time<T>(&self, work: impl FnOnce() -> T) -> (T, f64)
     where
         Self: Sized,
     {
         let start = self.seconds();
         let result = work();
-        (result, self.seconds() - start)
+        (result, to_nanoseconds(self.seconds() - start))
     }
 }
 

@@ -197,6 +197,10 @@ impl<'a> Refused<'a> {
     /// Returns what helps against holes that welding does not close. Vertices without faces are
     /// the only sign that the file had more of them.
     fn for_holes(&self, first: Element) -> Remedy {
+        if self.repairs.reading.weld.is_none() && welding_closes_seams(self.mesh) {
+            let words = "--weld closes the seams; close the holes that are left";
+            return Remedy::option(words);
+        }
         if let Element::Edge(a, b) = first
             && let Some(Junction { vertex, edge: [from, to] }) = Junction::near(self.mesh, [a, b])
         {
@@ -277,7 +281,8 @@ impl<'a> Refused<'a> {
                 true => self.distance_that_closes(&mended),
                 false => self.welding_distance(),
             };
-            way.reading.weld = distance.or(way.reading.weld);
+            let seams = || welding_closes_seams(&mended).then_some(0.0);
+            way.reading.weld = distance.or(way.reading.weld).or_else(seams);
         }
         if let Some(distance) = way.reading.weld {
             mended.weld(distance);
@@ -306,6 +311,17 @@ fn is_closed_by(distance: f64, mesh: &Mesh, rim: &[[f64; 3]]) -> bool {
     let mut welded = Mesh::new(mesh.positions().to_vec(), mesh.faces().clone());
     let dropped = welded.weld(distance).dropped_faces;
     (dropped == 0 || only_slivers_collapse(distance, mesh)) && Survey::new(&welded).closed
+}
+
+/// Returns true if vertices at equal coordinates are those of seams: joined, they leave fewer
+/// boundary edges, and of an open surface. About the cost of a survey.
+fn welding_closes_seams(mesh: &Mesh) -> bool {
+    let mut welded = Mesh::new(mesh.positions().to_vec(), mesh.faces().clone());
+    let outcome = welded.weld(0.0);
+    outcome.merged_vertices > 0
+        && outcome.dropped_faces == 0
+        && rim_edges(&welded).len() < rim_edges(mesh).len()
+        && Survey::new(&welded).is_open_surface(true)
 }
 
 /// Returns true if every face with a side that welding shortens to nothing has sides that are

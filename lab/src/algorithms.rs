@@ -22,6 +22,12 @@ pub enum Mark {
     Cross,
 }
 
+impl Mark {
+    /// Every mark.
+    const ALL: [Self; 6] =
+        [Self::Circle, Self::Square, Self::Up, Self::Down, Self::Diamond, Self::Cross];
+}
+
 /// Colour and mark in plots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
@@ -46,6 +52,37 @@ pub const VERMILION: [u8; 3] = [213, 94, 0];
 pub const PURPLE: [u8; 3] = [204, 121, 167];
 /// For the papers' own numbers.
 pub const GREY: [u8; 3] = [110, 110, 110];
+
+/// Every colour of a look, the most distinct ones first.
+const COLOURS: [[u8; 3]; 7] = [BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, GREY];
+
+impl Look {
+    /// Returns a look for each of `wanted`, no two alike as long as there are enough: its own for
+    /// the first that wants it; for later ones the next mark in the same colour that nothing has.
+    pub(crate) fn distinct(wanted: &[Self]) -> Vec<Self> {
+        let mut taken = wanted.to_vec();
+        let mut looks = Vec::new();
+        for (at, look) in wanted.iter().enumerate() {
+            let is_first = !wanted[..at].contains(look);
+            let free = || look.others().find(|other| !taken.contains(other));
+            let found = if is_first { *look } else { free().unwrap_or(*look) };
+            taken.push(found);
+            looks.push(found);
+        }
+        looks
+    }
+
+    /// Returns the other looks: first those of the same colour, from the next mark on.
+    fn others(self) -> impl Iterator<Item = Self> {
+        let colours = COLOURS.into_iter().filter(move |&colour| colour != self.colour);
+        let colours = std::iter::once(self.colour).chain(colours);
+        let marks = move || {
+            let next = Mark::ALL.into_iter().cycle().skip_while(move |&mark| mark != self.mark);
+            next.skip(1).take(Mark::ALL.len())
+        };
+        colours.flat_map(move |colour| marks().map(move |mark| Self { colour, mark }))
+    }
+}
 
 /// Facts about an algorithm; a variant counts as one.
 #[derive(Debug)]
@@ -217,6 +254,18 @@ mod tests {
     use triquad::pairing::Algorithm;
 
     use super::*;
+
+    #[test]
+    fn looks_that_are_wanted_twice_differ_by_their_marks() {
+        let look = |colour, mark| Look { colour, mark };
+        let [square, up] = [look(BLUE, Mark::Square), look(BLUE, Mark::Up)];
+        let looks = Look::distinct(&[square, square, up, square]);
+        assert_eq!(looks, [square, look(BLUE, Mark::Down), up, look(BLUE, Mark::Diamond)]);
+        // More than there are marks.
+        let looks = Look::distinct(&[square; 8]);
+        assert!((1..8).all(|at| !looks[..at].contains(&looks[at])), "{looks:?}");
+        assert!(looks[..6].iter().all(|look| look.colour == BLUE));
+    }
 
     #[test]
     fn a_meaning_says_perfect_of_exactly_those_that_leave_no_triangle() {

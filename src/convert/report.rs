@@ -321,7 +321,9 @@ fn duration(seconds: f64) -> String {
 #[cfg(feature = "serde")]
 impl serde::Serialize for Report {
     /// Writes one map with the names of `--stats` and of the records, derived columns included.
+    /// Times are rounded to nanoseconds.
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use crate::clock::to_nanoseconds;
         use serde::ser::SerializeMap;
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("algorithm", self.algorithm.id())?;
@@ -358,18 +360,18 @@ impl serde::Serialize for Report {
         if let Some(cost) = self.total_cost {
             map.serialize_entry("total_cost", &cost)?;
             map.serialize_entry("proved_least", &self.is_proved_least)?;
-            map.serialize_entry("cost_seconds", &self.cost_seconds)?;
+            map.serialize_entry("cost_seconds", &to_nanoseconds(self.cost_seconds))?;
         }
         if let (Some(all), Some(given_up)) = (self.kept_edges, self.given_up_edges) {
             map.serialize_entry("kept_edges", &all)?;
             map.serialize_entry("given_up_edges", &given_up)?;
         }
-        map.serialize_entry("build_seconds", &self.build_seconds)?;
-        map.serialize_entry("pairing_seconds", &self.pairing_seconds)?;
-        map.serialize_entry("shuffle_seconds", &self.shuffle_seconds)?;
-        map.serialize_entry("augmentation_seconds", &self.augmentation_seconds)?;
-        map.serialize_entry("total_seconds", &self.total_seconds())?;
-        map.serialize_entry("check_seconds", &self.check_seconds)?;
+        map.serialize_entry("build_seconds", &to_nanoseconds(self.build_seconds))?;
+        map.serialize_entry("pairing_seconds", &to_nanoseconds(self.pairing_seconds))?;
+        map.serialize_entry("shuffle_seconds", &to_nanoseconds(self.shuffle_seconds))?;
+        map.serialize_entry("augmentation_seconds", &to_nanoseconds(self.augmentation_seconds))?;
+        map.serialize_entry("total_seconds", &to_nanoseconds(self.total_seconds()))?;
+        map.serialize_entry("check_seconds", &to_nanoseconds(self.check_seconds))?;
         map.serialize_entry("augmenting_path_length_mean", &self.paths.mean_length())?;
         map.serialize_entry("augmenting_path_length_max", &self.paths.longest)?;
         map.serialize_entry("augmentation_triangles_visited", &self.paths.triangles_visited)?;
@@ -409,6 +411,34 @@ mod tests {
         assert_eq!(summary(&report, 2, 0), "; 0 of 2 edges over 30 degrees kept");
         report.degree_two_vertices = 1;
         assert_eq!(summary(&report, 0, 0), "; 1 vertex of degree 2");
+    }
+
+    /// A sum of times has no more digits than its parts.
+    #[cfg(feature = "serde")]
+    #[test]
+    fn times_are_written_in_whole_nanoseconds() {
+        let size = Size { vertices: 8, edges: 18, triangles: 12, genus: 0, components: 1 };
+        let mut report = Report::new(Algorithm::Best, Augmentation::Local, 0, size);
+        let sum = 0.000_275_845 + 0.000_032_001;
+        report.total_cost = Some(1);
+        for time in [
+            &mut report.build_seconds,
+            &mut report.cost_seconds,
+            &mut report.pairing_seconds,
+            &mut report.shuffle_seconds,
+            &mut report.augmentation_seconds,
+            &mut report.check_seconds,
+        ] {
+            *time = sum;
+        }
+        let written = serde_json::to_value(&report).expect("a map");
+        let times = written.as_object().expect("a map").iter();
+        let times: Vec<_> = times.filter(|(name, _)| name.ends_with("seconds")).collect();
+        assert_eq!(times.len(), 7);
+        for (name, time) in times {
+            let parts = if name == "total_seconds" { 2 } else { 1 };
+            assert_eq!(*time, f64::from(307_846 * parts) / 1e9, "{name}");
+        }
     }
 
     #[test]

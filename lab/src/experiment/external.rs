@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use triquad::clock::Clock;
+use triquad::clock::{Clock, to_nanoseconds};
 
 use super::machine::{hash_of_file, hash_of_words};
 use super::measured::Measured;
@@ -195,7 +195,7 @@ impl ProgramRun<'_> {
     fn numbers(&self, own: Measured, verified: Measured, ending: &Ending, wall: f64) -> Measured {
         // A stage without a time is one that the program does not have.
         let parts = [own.pairing_seconds, own.augmentation_seconds].into_iter().flatten();
-        let parts = parts.reduce(|pairing, augmentation| pairing + augmentation);
+        let parts = parts.reduce(|pairing, augmentation| to_nanoseconds(pairing + augmentation));
         let mut numbers = confirmed(&own, &verified);
         match self.spec.task {
             Task::Convert => {

@@ -58,6 +58,38 @@ fn a_column_is_known_by_its_words() {
     );
 }
 
+/// The line for `--map` is one that works.
+#[test]
+fn the_column_of_the_mesh_is_known_by_its_values() {
+    for values in ["botijo,1\nHappy Buddha", "B0,1\nB1", "part.obj,1\nx/y.ply.gz", ",1\nA5"] {
+        let text = format!("model,total_seconds\n{values},2\n");
+        let expected = "the column \"model\" is not known; its values are names of meshes: \
+                        --map \"model=mesh\"";
+        assert_eq!(refusal(&text), expected, "{values}");
+        if !values.starts_with(',') {
+            let read = import::read(&text, &settings(&[("model", "mesh")])).unwrap();
+            assert_eq!(read.records.len(), 2);
+        }
+    }
+    // It may be left out or taken for something else.
+    for to in ["-", "reason"] {
+        let error = import::read("model,total_seconds\nA5,1\n", &settings(&[("model", to)]));
+        let expected = "no column says which mesh; the values of \"model\" are names of meshes: \
+                        --map \"model=mesh\"";
+        assert_eq!(error.unwrap_err().to_string(), expected);
+    }
+    assert_eq!(
+        refusal("seed,total_seconds\n5,1\n"),
+        "no column says which mesh; map one to it: --map \"NAME=mesh\" with a column of the file: \
+         seed, total_seconds"
+    );
+    // Where another column is that of the mesh, or values are something else, names decide.
+    assert!(refusal("mesh,model\nA5,A5\n").contains("--map \"model=NAME\""));
+    assert!(refusal("model,total_seconds\nA5,1\nmine,1\n").contains("--map \"model=NAME\""));
+    assert!(refusal("Meshs,total_seconds\nmine,1\n").contains("--map \"Meshs=mesh\""));
+    assert!(refusal("mesh,lone\nA5,1\n").contains("--map \"lone=NAME\""));
+}
+
 #[test]
 fn other_separators_are_named() {
     for (separator, name) in [(";", "semicolons"), ("\t", "tabs"), ("|", "vertical bars")] {
@@ -235,6 +267,9 @@ fn a_total_is_computed_where_both_parts_are_known_and_missed_elsewhere() {
     assert_eq!(read("mesh,unpaired_triangles\nbotijo,5\n").missing_parts, []);
     let both = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.5,0\n";
     assert_eq!((totals(both), read(both).missing_parts), (vec![Some(0.5)], vec![]));
+    // A sum has no more digits than its parts.
+    let sum = "mesh,pairing_seconds,augmentation_seconds\nbotijo,0.1,0.2\n";
+    assert_eq!(totals(sum), [Some(0.3)]);
     // The task "irreducible" has one time only.
     let reduction = "mesh,seconds,link_condition_tests\nir-B0,0.5,9\n";
     assert_eq!(read(reduction).missing_parts, []);

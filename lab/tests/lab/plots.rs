@@ -160,3 +160,35 @@ fn a_smaller_scale_is_not_divided_by_the_papers_numbers() {
     assert!(plot("ratio_unpaired_triangles", |_| {}).is_some());
     assert_eq!(plot("ratio_unpaired_triangles", |run| run.id.mesh.scale = Scale::Demo), None);
 }
+
+/// Each point has the origin of its own mesh; a row is marked if a point in it is of a stand-in.
+#[test]
+fn imported_points_keep_the_kind_of_their_own_mesh() {
+    let chart = |is_stand_in: &dyn Fn(&str) -> bool| {
+        let chart = plot("ratio_total_seconds", |run| {
+            let algorithm = run.id.job.algorithm();
+            if run.id.mesh.experiment != "comparison" {
+                return;
+            }
+            run.mesh_kind = MeshKind::StandIn;
+            if !is_stand_in(algorithm) {
+                (run.mesh_kind, run.machine) = (MeshKind::Real, format!("imported {algorithm}"));
+            }
+        });
+        chart.unwrap()
+    };
+    let is_noted = |chart: &Plot| texts(chart).iter().any(|text| text.starts_with("hollow"));
+    // Whichever stands first.
+    for imported in ["sg", "ps"] {
+        let chart = chart(&|algorithm| algorithm != imported);
+        for (series, algorithm) in [("SG", "sg"), ("PS", "ps"), ("LRS", "lrs")] {
+            let kind = if algorithm == imported { "file" } else { "stand-in" };
+            let line = format!("\n{series},eros,{kind},");
+            assert!(chart.csv.contains(&line), "{line}: {}", chart.csv);
+        }
+        assert!(texts(&chart).contains(&"eros†".to_owned()) && is_noted(&chart));
+    }
+    // Velho is not in the plot.
+    let chart = chart(&|algorithm| algorithm == "velho");
+    assert!(texts(&chart).contains(&"eros".to_owned()) && !is_noted(&chart));
+}

@@ -241,6 +241,36 @@ fn imported_rows_and_ours_keep_the_kind_of_their_own_mesh() {
     }
 }
 
+/// Tables of one kind of number have no rows of results that lack it, unless a run failed.
+#[test]
+fn rows_without_a_number_are_left_out_of_tables_of_memory_and_quality() {
+    let settings = ImportSettings {
+        algorithm: "theirs".into(),
+        task: None,
+        scale: Scale::Full,
+        mapping: Vec::new(),
+        allows_other_meshes: false,
+    };
+    let has_rows = |text: &str| {
+        let imported = import::read(text, &settings).unwrap();
+        let mut results = of_the_papers();
+        results.planned.extend(imported.planned());
+        results.records.extend(imported.records);
+        ["table_memory.csv", "table_quality.csv"].map(|file| {
+            let (_, rows) = table(&results, file).fields();
+            assert!(rows.iter().any(|row| row[..2] == ["botijo", "PS"]));
+            rows.iter().any(|row| row[..2] == ["botijo", "theirs"])
+        })
+    };
+    let header = "mesh,total_seconds,peak_memory_bytes,quality_mean,edge_flips,outcome\n";
+    let row = |row: &str| has_rows(&format!("{header}botijo,{row}\n"));
+    assert_eq!(row("0.5,,,,"), [false, false]);
+    assert_eq!(row("0.5,9000000,,,"), [true, false]);
+    assert_eq!(row("0.5,,0.5,,"), [false, true]);
+    assert_eq!(row("0.5,,,7,"), [false, true]);
+    assert_eq!(row(",,,,timeout"), [true, true]);
+}
+
 #[test]
 fn costs_of_tests_stand_beside_their_numbers_and_shuffles_apart() {
     let mut results = of_the_papers();

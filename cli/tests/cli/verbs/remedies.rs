@@ -19,6 +19,11 @@ fn soup(gap: f64) -> String {
     text
 }
 
+/// The same without gaps, and without the last triangle.
+fn open_soup() -> String {
+    soup(0.0).replace("f 10 11 12\n", "")
+}
+
 /// An octahedron with a slit: one vertex is two, `gap` apart. The ends of the slit have no twins.
 fn slit(gap: f64) -> String {
     let vertices = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n";
@@ -45,6 +50,8 @@ fn cases() -> Vec<Case> {
         (slit(2e-6), "", "--weld 1e-5 closes it", Some("--weld 1e-5")),
         (open.clone(), "", "close the holes", Some("--open")),
         (open, "--weld", "close the holes", Some("--weld --open")),
+        (open_soup(), "", "--weld closes the seams; close the holes", Some("--weld --open")),
+        (open_soup(), "--weld", "close the holes", Some("--weld --open")),
         (CUBE.into(), "", "--triangulate cuts", Some("--triangulate")),
         (CUBE.into(), "--orient", "--triangulate cuts", Some("--triangulate --orient")),
         (with("f 1 2"), "", cut_off, Some("--clean")),
@@ -230,7 +237,12 @@ fn the_remedy_of_a_bow_tie_can_be_done() {
         format!("{TETRAHEDRON}v 2 0 0\nv 0 2 0\nv 0 0 2\n{}", tetrahedron_of([4, 5, 6, 7]));
     workshop.put("in.obj", bow_tie);
     let (section, format) = ("Other repairs", "do it in another format");
-    assert!(formats.contains(&format!("\n## {section}\n")));
+    let (_, repairs) = formats.split_once(&format!("\n## {section}\n")).unwrap();
+    let (repairs, _) = repairs.split_once("\n## ").unwrap();
+    // What was tried, in this order.
+    let edges = "meshing_repair_non_manifold_edges(method=\"Split Vertices\")\n";
+    let filters = format!("{edges}m.meshing_repair_non_manifold_vertices()\n");
+    assert_contains(repairs, &[&filters], "a command that does it");
     for (name, is_stl) in [("in.stl", true), ("in.obj", false)] {
         let line = workshop.fail(&format!("convert {name}"), 2);
         assert_contains(&line, &["[several-fans]", "docs/formats.md", section], name);

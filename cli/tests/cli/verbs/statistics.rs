@@ -4,6 +4,7 @@ use super::meshes::{TETRAHEDRON_OFF, irregular_mesh};
 use crate::surfaces::face_list;
 use crate::workshop::{Workshop, assert_contains, assert_has_fields};
 use serde_json::Value;
+use triquad::clock::to_nanoseconds;
 use triquad::mesh::Mesh;
 use triquad_generators::testing::beside;
 use triquad_generators::{Surface, classic};
@@ -100,6 +101,7 @@ fn assert_stats_are_consistent(stats: &Value, surface: &Surface) {
     assert_near(number("total_seconds"), total, "total_seconds");
     for field in STATS_FIELDS.iter().filter(|field| field.ends_with("_seconds")) {
         assert!(number(field) >= 0.0, "{field}");
+        assert_eq!(stats[field], to_nanoseconds(number(field)), "{field}");
     }
     let (mean, longest) =
         (number("augmenting_path_length_mean"), number("augmenting_path_length_max"));

@@ -35,8 +35,16 @@ pub enum ImportError {
     )]
     Name(String),
     /// There is no column for the mesh.
-    #[error("no column says which mesh; map one to it: --map \"NAME=mesh\"")]
-    NoMesh,
+    #[error("no column says which mesh; {}", mesh_of(.column.as_deref(), .has))]
+    NoMesh {
+        /// A column with names of meshes, which was mapped otherwise.
+        column: Option<String>,
+        /// The columns of the file.
+        has: String,
+    },
+    /// A column is not known; it has names of meshes, and no other column is that of the mesh.
+    #[error("the column {0:?} is not known; its values are names of meshes: --map \"{0}=mesh\"")]
+    UnknownMeshColumn(String),
     /// There is no column with a number.
     #[error("no column has a number; map one to it: --map \"NAME=total_seconds\"")]
     NoNumber,
@@ -182,6 +190,16 @@ pub enum ImportError {
 
 /// Examples of columns.
 const EXAMPLES: &str = ", as \"total_seconds\" and \"unpaired_triangles\" are";
+
+/// Returns which column to map to the mesh.
+fn mesh_of(column: Option<&str>, has: &str) -> String {
+    match column {
+        Some(column) => {
+            format!("the values of {column:?} are names of meshes: --map \"{column}=mesh\"")
+        }
+        None => format!("map one to it: --map \"NAME=mesh\" with a column of the file: {has}"),
+    }
+}
 
 /// Returns what to do about a column that is not known.
 fn remedy_of(name: &str, nearest: Option<&str>) -> String {

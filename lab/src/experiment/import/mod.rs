@@ -7,10 +7,13 @@ mod error;
 mod plausible;
 
 use std::collections::{BTreeSet, HashMap};
+use std::path::Path;
 
 use csv::StringRecord;
 use serde::Deserialize;
+use triquad::clock::to_nanoseconds;
 use triquad::counted::counted;
+use triquad::mesh::Format;
 
 pub use error::ImportError;
 
@@ -101,7 +104,7 @@ struct PlaceColumns {
 
 /// Their names.
 const PLACE_COLUMNS: [&str; 11] = [
-    "mesh",
+    MESH,
     "mesh_kind",
     "repetition",
     "seed",
@@ -116,6 +119,9 @@ const PLACE_COLUMNS: [&str; 11] = [
 
 /// Those of them that are whole numbers.
 const COUNTS_OF_PLACE: [&str; 4] = ["repetition", "seed", "parallel_jobs", "stopped_after_paths"];
+
+/// The column of the mesh.
+const MESH: &str = "mesh";
 
 /// Columns whose sum is the total of a conversion.
 const PAIRING: &str = "pairing_seconds";
@@ -149,10 +155,11 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
     }
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
     let header = reader.headers()?.clone();
-    let columns = columns(&header, settings)?;
-    let rows = reader.records().collect::<Result<Vec<StringRecord>, _>>().map_err(fault_of_row)?;
+    let rows = reader.records().collect::<Result<Vec<StringRecord>, _>>().map_err(fault_of_row);
+    let columns = columns(&header, rows.as_deref().unwrap_or_default(), settings)?;
+    let rows = rows?;
     let first = rows.first().ok_or(ImportError::NoRows)?;
-    let mesh_of_first = columns.iter().position(|column| column == "mesh").map(|at| &first[at]);
+    let mesh_of_first = columns.iter().position(|column| column == MESH).map(|at| &first[at]);
     let job = job(settings, &columns, mesh_of_first.unwrap_or_default());
     // Of the two tasks' times, the one that the other calls so too.
     let (columns, renamed) = with_times_of(job.task(), columns);
@@ -180,7 +187,7 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
 impl Imported {
     /// Notes a mesh of the second paper that the file calls as the first paper calls another.
     fn note_mesh(&mut self, row: &StringRecord, columns: &[String], record: &RunRecord) {
-        let (Some(given), taken) = (cell(row, columns, "mesh"), &record.id.mesh.name) else {
+        let (Some(given), taken) = (cell(row, columns, MESH), &record.id.mesh.name) else {
             return;
         };
         let is_new = || self.renamed_meshes.iter().all(|(_, mesh)| mesh != taken);
@@ -198,7 +205,7 @@ impl Imported {
         }
         let (column, known) = match (measured.pairing_seconds, measured.augmentation_seconds) {
             (Some(pairing), Some(augmentation)) => {
-                measured.total_seconds = Some(pairing + augmentation);
+                measured.total_seconds = Some(to_nanoseconds(pairing + augmentation));
                 return;
             }
             (Some(_), None) => (AUGMENTATION, PAIRING),
@@ -274,7 +281,7 @@ fn refuse_empty(
 ) -> Result<(), ImportError> {
     let line = row.position().map_or(0, csv::Position::line);
     let place = |name: &str| columns.iter().position(|column| column == name);
-    let mesh = place("mesh").filter(|&at| row[at].is_empty());
+    let mesh = place(MESH).filter(|&at| row[at].is_empty());
     if let Some(column) = mesh.map(|at| header[at].to_owned()) {
         return Err(ImportError::EmptyMesh { line, column });
     }
@@ -295,7 +302,11 @@ fn is_result(column: &str) -> bool {
 }
 
 /// Returns the names in `runs.csv` of the columns of the file; `-` for those that are left out.
-fn columns(header: &StringRecord, settings: &ImportSettings) -> Result<Vec<String>, ImportError> {
+fn columns(
+    header: &StringRecord,
+    rows: &[StringRecord],
+    settings: &ImportSettings,
+) -> Result<Vec<String>, ImportError> {
     let known = known_columns();
     let nearest_of = |name: &str| likely(name, known.iter().map(String::as_str)).map(str::to_owned);
     let header: Vec<String> = header.iter().map(str::to_owned).collect();
@@ -324,20 +335,38 @@ fn columns(header: &StringRecord, settings: &ImportSettings) -> Result<Vec<Strin
     }
     let mapped = |name: &String| plain(mapping_of(name).map_or(name, |(_, to)| to));
     let columns: Vec<String> = header.iter().map(mapped).collect();
+    let lacks_mesh = !columns.iter().any(|column| column == MESH);
     for (i, column) in columns.iter().enumerate().filter(|(_, column)| *column != "-") {
         if !known.contains(column) {
-            let nearest = nearest_of(column);
-            return Err(ImportError::UnknownColumn { name: column.clone(), nearest });
+            let name = column.clone();
+            return Err(match lacks_mesh && has_meshes(rows, i) {
+                true => ImportError::UnknownMeshColumn(name),
+                false => ImportError::UnknownColumn { name, nearest: nearest_of(column) },
+            });
         }
         if columns[..i].contains(column) {
             return Err(ImportError::Twice(column.clone()));
         }
     }
-    if !columns.iter().any(|column| column == "mesh") {
-        return Err(ImportError::NoMesh);
+    if lacks_mesh {
+        let column = (0..header.len()).find(|&at| has_meshes(rows, at));
+        let column = column.map(|at| header[at].clone());
+        return Err(ImportError::NoMesh { column, has: header.join(", ") });
     }
     columns.iter().find(|column| is_result(column)).ok_or(ImportError::NoNumber)?;
     Ok(columns)
+}
+
+/// Returns whether a column has names of meshes alone: meshes of the papers, or files.
+fn has_meshes(rows: &[StringRecord], at: usize) -> bool {
+    let of_second_paper = |name: &str| paper::called(&format!("{SECOND_PAPER}{name}")).is_some();
+    let is_mesh = |name: &str| {
+        let is_file = || Format::from_path(Path::new(name)).is_ok();
+        paper::called(name).is_some() || of_second_paper(name) || is_file()
+    };
+    let names = rows.iter().filter_map(|row| row.get(at)).filter(|name| !name.is_empty());
+    let mut names = names.peekable();
+    names.peek().is_some() && names.all(is_mesh)
 }
 
 /// Returns whether rows can have this name: it stands in tables and on the page.

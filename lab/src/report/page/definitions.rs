@@ -16,7 +16,7 @@ pub struct Definition {
 }
 
 /// Symbols of both papers.
-const SYMBOLS: [(&str, &str); 20] = [
+const SYMBOLS: [(&str, &str); 22] = [
     ("n", "runs that ended well, whose mean is shown"),
     (
         "n_v, n_e, n_f",
@@ -40,6 +40,11 @@ const SYMBOLS: [(&str, &str); 20] = [
     ("path", "augmenting path; its length counts pairs of neighbouring triangles"),
     ("flips", "edges of the quads that the triangulation does not have"),
     ("scaled Jacobian", "shape of a quad: 1 for a rectangle, 0 or less where it is not convex"),
+    (
+        "PS, PS local",
+        "a label alone: with augmentation tarjan; with local or rebuild after it: with that one",
+    ),
+    ("RS, RS random", "vertices in the order of the file; in random order"),
     ("tarjan", "augmentation as published: a search over the whole mesh for each path"),
     ("rebuild", "the same paths, with the graph set up anew for each, as the printed times imply"),
     ("local", "our augmentation: a search touches only what it visits"),
@@ -76,4 +81,29 @@ fn programs(summary: &Summary) -> impl Iterator<Item = Definition> {
         }
     }
     programs.into_iter().map(|(word, meaning)| Definition { word, meaning })
+}
+
+#[cfg(test)]
+mod tests {
+    use triquad::augmentation::Augmentation;
+    use triquad::irreducible::{Contractor, Order};
+    use triquad::pairing::Algorithm;
+
+    use super::*;
+    use crate::experiment::Job;
+
+    #[test]
+    fn labels_without_augmentation_or_order_are_defined() {
+        let published = Job::published(Algorithm::PulliSegal);
+        let in_file_order = Job::in_file_order(Contractor::RamaswamiSiqueira);
+        let random = Job::Reduce { method: Contractor::RamaswamiSiqueira, order: Order::Random };
+        for (bare, other, names) in [
+            (published, published.with_augmentation(Augmentation::Local), ["tarjan", "local"]),
+            (in_file_order, random, ["file", "random"]),
+        ] {
+            let word = format!("{}, {}", bare.label(), other.label());
+            let (_, meaning) = SYMBOLS.iter().find(|symbol| symbol.0 == word).expect(&word);
+            assert!(names.iter().all(|name| meaning.contains(name)), "{meaning}");
+        }
+    }
 }

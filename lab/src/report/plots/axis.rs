@@ -43,16 +43,14 @@ impl Axis {
     }
 
     fn linear(values: impl Iterator<Item = f64>) -> Self {
-        let most = values.fold(0.0, f64::max);
-        let step = step_of(if most > 0.0 { most } else { 1.0 });
-        let count = (most / step).ceil().max(1.0) as i32;
-        let ticks = (0..=count).map(|i| (f64::from(i) * step, short(f64::from(i) * step)));
-        Self {
-            spread: Spread::Linear,
-            low: 0.0,
-            high: f64::from(count) * step,
-            ticks: ticks.collect(),
-        }
+        let (least, most) = values
+            .fold((0.0_f64, 0.0_f64), |(least, most), value| (least.min(value), most.max(value)));
+        let step = step_of(if most > least { most - least } else { 1.0 });
+        let first = (least / step).floor() as i32;
+        let last = ((most / step).ceil() as i32).max(first + 1);
+        let at = |i: i32| f64::from(i) * step;
+        let ticks = (first..=last).map(|i| (at(i), short(at(i)))).collect();
+        Self { spread: Spread::Linear, low: at(first), high: at(last), ticks }
     }
 
     fn logarithmic(values: impl Iterator<Item = f64>) -> Self {
@@ -102,10 +100,10 @@ fn step_of(most: f64) -> f64 {
 
 /// Writes a number on an axis in few characters: 0.2, 15, 20 k, 3.5 M.
 pub fn short(value: f64) -> String {
-    let (scaled, unit) = match value {
-        v if v >= 1e6 => (v / 1e6, " M"),
-        v if v >= 1e4 => (v / 1e3, " k"),
-        v => (v, ""),
+    let (scaled, unit) = match value.abs() {
+        v if v >= 1e6 => (value / 1e6, " M"),
+        v if v >= 1e4 => (value / 1e3, " k"),
+        _ => (value, ""),
     };
     let digits = format!("{scaled:.6}");
     format!("{}{unit}", digits.trim_end_matches('0').trim_end_matches('.'))
@@ -167,6 +165,20 @@ mod tests {
         assert_eq!(labels(&axis), ["0", "1000", "2000", "3000", "4000"]);
         let axis = Axis::new(Spread::Linear, [0.31].into_iter());
         assert_eq!(labels(&axis), ["0", "0.1", "0.2", "0.3", "0.4"]);
+    }
+
+    #[test]
+    fn linear_axes_begin_at_the_step_below_negative_values() {
+        for (values, expected) in [
+            (&[-0.3, 0.55][..], &["-0.4", "-0.2", "0", "0.2", "0.4", "0.6"][..]),
+            (&[-0.31], &["-0.4", "-0.3", "-0.2", "-0.1", "0"]),
+            (&[-20_000.0], &["-20 k", "-15 k", "-10 k", "-5000", "0"]),
+        ] {
+            let axis = Axis::new(Spread::Linear, values.iter().copied());
+            assert_eq!(labels(&axis), expected);
+            let (low, high) = axis.bounds();
+            assert!(values.iter().all(|value| (low..=high).contains(value)), "{axis:?}");
+        }
     }
 
     #[test]

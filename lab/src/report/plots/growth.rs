@@ -7,6 +7,7 @@ use triquad::pairing::Algorithm;
 
 use super::axis::Spread;
 use super::chart::{Chart, Counterpart, Point, Series, legends};
+use crate::algorithms::{AlgorithmFacts, Look};
 use crate::experiment::{Job, Measured, RunRecord};
 use crate::paper::Paper;
 use crate::report::power_law::PowerLaw;
@@ -96,15 +97,18 @@ fn total(stem: String, title: String, cells: Vec<&Cell>) -> Chart {
 /// Makes a chart with one series for each algorithm among `cells`.
 fn chart(stem: String, title: String, cells: Vec<&Cell>, time: Time, against_genus: bool) -> Chart {
     let spread = if against_genus { Spread::Linear } else { Spread::Logarithmic };
-    let mut names: Vec<&str> = Vec::new();
+    let mut rows: Vec<&AlgorithmFacts> = Vec::new();
     for cell in &cells {
-        if !names.contains(&cell.id.job.facts().name) {
-            names.push(cell.id.job.facts().name);
+        let facts = cell.id.job.facts();
+        if rows.iter().all(|seen| seen.name != facts.name) {
+            rows.push(facts);
         }
     }
-    let series = names.into_iter().map(|name| {
-        let own = cells.iter().copied().filter(|cell| cell.id.job.facts().name == name);
-        series(&own.collect::<Vec<_>>(), time, against_genus)
+    // Programs of others may have one look.
+    let looks = Look::distinct(&rows.iter().map(|facts| facts.look).collect::<Vec<_>>());
+    let series = rows.into_iter().zip(looks).map(|(facts, look)| {
+        let own = cells.iter().copied().filter(|cell| cell.id.job.facts().name == facts.name);
+        series((facts.label, look), &own.collect::<Vec<_>>(), time, against_genus)
     });
     Chart {
         stem,
@@ -121,14 +125,12 @@ fn chart(stem: String, title: String, cells: Vec<&Cell>, time: Time, against_gen
 }
 
 /// Makes the series of an algorithm's cells, of which there is one.
-fn series(cells: &[&Cell], time: Time, against_genus: bool) -> Series {
+fn series((name, look): (&str, Look), cells: &[&Cell], time: Time, against_genus: bool) -> Series {
     let points = points(cells, time, against_genus);
     let law: Vec<(f64, f64)> = points.iter().map(|point| (point.x, point.y)).collect();
     // Two points determine a line, whatever the growth.
     let fit = PowerLaw::through(&law).filter(|fit| !against_genus && fit.n > 2);
-    let facts = cells[0].id.job.facts();
-    let (name, look) = (facts.label.into(), facts.look);
-    Series { name, look, is_printed: false, points, joined: true, fit }
+    Series { name: name.into(), look, is_printed: false, points, joined: true, fit }
 }
 
 /// Makes a point for each cell with a run that ended well, from left to right.

@@ -7,6 +7,7 @@ use super::axis::Spread;
 use super::chart::{Chart, Counterpart, Point, Series};
 use crate::algorithms::{BLUE, GREEN, GREY, Look, Mark, VERMILION};
 use crate::experiment::{Job, RunRecord};
+use crate::meshes::Origin;
 use crate::paper::{PairingRow, Paper, Table};
 use crate::report::notes::Note;
 use crate::report::path_price::PathPrice;
@@ -22,8 +23,35 @@ pub fn all(summary: &Summary) -> Vec<Chart> {
     ]
 }
 
-/// A number on a mesh, and whether it is extrapolated; `None` where a side has no number.
-pub(super) type Ratio = Option<(f64, bool)>;
+/// A number on a mesh.
+pub(super) struct Ratio {
+    value: f64,
+    /// Origin of the mesh of the cells that it is of: of several, a stand-in.
+    origin: Option<Origin>,
+    extrapolated: bool,
+}
+
+impl Ratio {
+    /// Takes a number of these cells.
+    pub(super) fn of<const N: usize>(cells: [&Cell; N], value: f64) -> Self {
+        let origin = cells.iter().find(|cell| cell.is_stand_in()).or(cells.first());
+        Self {
+            value,
+            origin: origin.and_then(|cell| cell.origin),
+            extrapolated: cells.iter().any(|cell| cell.is_extrapolated()),
+        }
+    }
+
+    /// Takes a number of the paper.
+    fn printed(value: f64) -> Self {
+        Self { value, origin: None, extrapolated: false }
+    }
+
+    /// Takes a number that does not depend on times that are extrapolated.
+    pub(super) fn exact(self) -> Self {
+        Self { extrapolated: false, ..self }
+    }
+}
 
 /// The meshes of an experiment as rows, and the series of ratios on them.
 pub(super) struct Rows<'a> {
@@ -39,21 +67,20 @@ impl<'a> Rows<'a> {
         Self { summary, paper, meshes, series: Vec::new() }
     }
 
-    /// Adds a series of the ratios that there are, on our meshes or, if `is_printed`, the paper's.
+    /// Adds a series of the ratios that there are, ours or, if `is_printed`, the paper's.
     pub(super) fn add(
         &mut self,
         name: &str,
         look: Look,
         is_printed: bool,
-        ratio: impl Fn(&str) -> Ratio,
+        ratio: impl Fn(&str) -> Option<Ratio>,
     ) {
         let point = |(row, &mesh): (usize, &&str)| {
-            let (x, extrapolated) = ratio(mesh)?;
-            let first = self.summary.of_mesh(self.paper, mesh).next();
+            let Ratio { value, origin, extrapolated } = ratio(mesh)?;
             Some(Point {
                 mesh: mesh.to_owned(),
-                origin: first.and_then(|cell| cell.origin).filter(|_| !is_printed),
-                x,
+                origin,
+                x: value,
                 y: row as f64,
                 range: None,
                 extrapolated,
@@ -78,13 +105,22 @@ impl<'a> Rows<'a> {
         let used = |&row: &usize| points().any(|point| point.y as usize == row);
         let kept: Vec<usize> = (0..self.meshes.len()).filter(used).collect();
         let cells = |row: usize| self.summary.of_mesh(self.paper, self.meshes[row]);
-        let name = |&row: &usize| cells(row).next().map_or(String::new(), Cell::marked_mesh);
+        let is_stand_in = |point: &&Point| point.origin == Some(Origin::StandIn);
+        // A row is marked for what is shown in it.
+        let name = |&row: &usize| {
+            let of_row = |point: &&Point| point.y as usize == row;
+            let stand_in = points().filter(of_row).find(is_stand_in);
+            let dagger = stand_in.and(Some(Origin::StandIn)).map_or("", Origin::dagger);
+            format!("{}{dagger}", self.meshes[row])
+        };
         let rows = kept.iter().map(name).collect();
         let of_rows: Vec<&Cell> = kept.iter().flat_map(|&row| cells(row)).collect();
         let mut notes = Note::on(of_rows.into_iter());
-        if !points().any(|point| point.extrapolated) {
-            notes.retain(|note| *note != Note::Extrapolated);
-        }
+        notes.retain(|note| match note {
+            Note::Extrapolated => points().any(|point| point.extrapolated),
+            Note::StandIn => points().any(|point| is_stand_in(&point)),
+            _ => true,
+        });
         for point in self.series.iter_mut().flat_map(|series| &mut series.points) {
             let row = kept.iter().position(|&row| row == point.y as usize);
             point.y = row.expect("rows with points are kept") as f64;
@@ -130,7 +166,7 @@ fn lrs_against_ps(summary: &Summary) -> Chart {
         let total = |job| PairingRow::find(&printed, mesh, job).map(|row| row.total_seconds);
         // The paper's number alone would compare nothing.
         summary.cell(Paper::Comparison, mesh, jobs[0])?.ok_runs().next()?;
-        Some((total(jobs[0])? / total(jobs[1])?, false))
+        Some(Ratio::printed(total(jobs[0])? / total(jobs[1])?))
     });
     let chart = rows.chart(
         "lrs_against_ps",
@@ -145,20 +181,22 @@ fn lrs_against_ps(summary: &Summary) -> Chart {
 }
 
 /// Returns the quotient of the mean totals with `rebuild`, as the table beside the plot has them.
-fn lrs_to_ps_rebuilt(summary: &Summary, mesh: &str) -> Ratio {
-    let [lrs, ps] = [Algorithm::Lrs(Expansion::Printed), Algorithm::PulliSegal]
-        .map(|algorithm| PathPrice::total(summary, mesh, algorithm));
+fn lrs_to_ps_rebuilt(summary: &Summary, mesh: &str) -> Option<Ratio> {
+    let algorithms = [Algorithm::Lrs(Expansion::Printed), Algorithm::PulliSegal];
+    let [lrs, ps] = algorithms.map(|algorithm| PathPrice::total(summary, mesh, algorithm));
     let ps = ps.filter(|ps| ps.mean > 0.0 && !summary.is_parallel())?;
-    Some((lrs?.mean / ps.mean, false))
+    let cell = |algorithm| summary.cell(Paper::Comparison, mesh, Job::published(algorithm));
+    let [lrs_cell, ps_cell] = algorithms.map(cell);
+    Some(Ratio::of([lrs_cell?, ps_cell?], lrs?.mean / ps.mean).exact())
 }
 
 /// Returns the quotient of the mean totals, unless the runs disturbed each other.
-fn lrs_to_ps(lrs: &Cell, ps: &Cell) -> Ratio {
+fn lrs_to_ps(lrs: &Cell, ps: &Cell) -> Option<Ratio> {
     if lrs.is_parallel() || ps.is_parallel() {
         return None;
     }
     let total = |cell: &Cell| cell.mean(RunRecord::whole_total_seconds).filter(|&t| t > 0.0);
-    Some((total(lrs)? / total(ps)?, lrs.is_extrapolated() || ps.is_extrapolated()))
+    Some(Ratio::of([lrs, ps], total(lrs)? / total(ps)?))
 }
 
 /// Charts our total time divided by the paper's.
@@ -210,7 +248,7 @@ fn against_printed(
             let theirs = theirs(PairingRow::find(&printed, mesh, job)?);
             let comparable = cell.is_full_scale() && theirs > 0.0;
             let ours = ours(cell).filter(|&ours| comparable && ours > 0.0)?;
-            Some((ours / theirs, cell.is_extrapolated()))
+            Some(Ratio::of([cell], ours / theirs))
         });
     }
     rows
@@ -225,7 +263,7 @@ fn tests_against_paper(summary: &Summary) -> Chart {
             let cell = summary.cell(Paper::Irreducible, mesh, job)?;
             let theirs = printed.iter().find(|row| row.mesh == mesh)?.link_condition_tests()[at];
             let ours = cell.mean_count(|measured| measured.link_condition_tests)?;
-            cell.is_full_scale().then_some((ours / theirs, false))
+            cell.is_full_scale().then(|| Ratio::of([cell], ours / theirs))
         });
     }
     let chart = rows.chart(

@@ -2,7 +2,8 @@
 
 use super::axis::Spread;
 use super::chart::Chart;
-use super::ratios::Rows;
+use super::ratios::{Ratio, Rows};
+use crate::algorithms::Look;
 use crate::experiment::{Job, RunRecord};
 use crate::paper::Paper;
 use crate::report::notes::Note;
@@ -46,16 +47,66 @@ fn chart(summary: &Summary, stem: &str, number: impl Fn(&RunRecord) -> Option<f6
         }
     }
     let mut rows = Rows::new(summary, Paper::Comparison);
-    for job in jobs {
+    // With two augmentations, or as programs of others, two jobs may have one look.
+    let looks = Look::distinct(&jobs.iter().map(|job| job.facts().look).collect::<Vec<_>>());
+    for (job, look) in jobs.into_iter().zip(looks) {
         let on = |mesh: &str| cells.iter().find(|cell| cell.mesh() == mesh && cell.id.job == job);
-        rows.add(&job.label(), job.facts().look, false, |mesh| {
+        rows.add(&job.label(), look, false, |mesh| {
             let cell: &Cell = on(mesh)?;
-            Some((cell.mean(&number)?, false))
+            Some(Ratio::of([cell], cell.mean(&number)?).exact())
         });
     }
     // No times are shown, so that no remark on times is needed.
-    let notes = Note::on(cells.into_iter()).into_iter().filter(|note| *note == Note::StandIn);
-    let notes = notes.filter_map(|note| note.legend()).collect();
-    let chart = rows.chart(stem, "", "", ["", ""]);
-    Chart { x_spread: Spread::Linear, line: None, notes, ..chart }
+    let mut chart = rows.chart(stem, "", "", ["", ""]);
+    chart.notes.retain(|note| Some(note) == Note::StandIn.legend().as_ref());
+    Chart { x_spread: Spread::Linear, line: None, ..chart }
+}
+
+#[cfg(test)]
+mod tests {
+    use triquad::augmentation::Augmentation;
+    use triquad::pairing::Algorithm;
+
+    use super::*;
+    use crate::experiment::{Measured, MeshId, Results, RunId, Task};
+
+    /// A run on one mesh, whose quads are folded in the mean.
+    fn run(job: Job) -> RunRecord {
+        let id = RunId { mesh: MeshId { name: "x".into(), ..MeshId::default() }, job };
+        let measured = Measured {
+            triangles: Some(2000),
+            quads: Some(1000),
+            quality_mean: Some(-0.25),
+            quality_one_percent: Some(-0.5),
+            total_seconds: Some(1.0),
+            folded_quads: Some(700),
+            ..Measured::default()
+        };
+        RunRecord { id, measured, ..RunRecord::default() }
+    }
+
+    #[test]
+    fn no_two_series_look_alike_and_all_points_are_within_the_frame() {
+        let published = Job::published(Algorithm::PulliSegal);
+        // Two names whose looks are the same.
+        let others = ["a", "m"].map(|name| Job::program(Task::Convert, name));
+        assert_eq!(others[0].facts().look, others[1].facts().look);
+        let jobs = [published, published.with_augmentation(Augmentation::Local)];
+        let records = jobs.into_iter().chain(others).map(run).collect();
+        let summary = Summary::new(&Results { records, ..Results::default() });
+        let totals = super::super::growth::totals(&summary);
+        let charts = all(&summary).into_iter().chain(totals).filter(|chart| !chart.is_empty());
+        let charts: Vec<Chart> = charts.collect();
+        assert!(charts.len() > 2);
+        for chart in charts {
+            let (x, _) = chart.axes();
+            let (low, high) = x.bounds();
+            for (at, series) in chart.series.iter().enumerate() {
+                let alike = chart.series[..at].iter().find(|other| other.look == series.look);
+                assert_eq!(alike.map(|other| &other.name), None, "{}", series.name);
+                let places = series.points.iter().filter_map(|point| x.place(point.x));
+                assert!(places.into_iter().all(|at| (low..=high).contains(&at)), "{}", chart.stem);
+            }
+        }
+    }
 }

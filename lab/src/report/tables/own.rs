@@ -137,7 +137,19 @@ fn quality(summary: &Summary) -> ReportTable {
         columns::outcomes("outcomes", 0),
     ];
     let columns = columns::mesh().into_iter().chain(columns);
-    of_cells(names, summary.of_paper(Paper::Comparison), columns)
+    let shape = |cell: &Cell| {
+        cell.mean(|run| run.measured.quality_mean.or(run.measured.quality_minimum)).is_some()
+            || flipped_percent(cell).is_some()
+    };
+    of_cells(names, with_number(summary.of_paper(Paper::Comparison), shape), columns)
+}
+
+/// Leaves out cells whose runs ended well and have no number to show, as imported ones may.
+fn with_number<'a>(
+    cells: impl Iterator<Item = &'a Cell>,
+    has_number: impl Fn(&Cell) -> bool,
+) -> impl Iterator<Item = &'a Cell> {
+    cells.filter(move |cell| cell.ok_runs().next().is_none() || has_number(cell))
 }
 
 /// Lists every irreducible triangulation, in either order of the input.
@@ -186,5 +198,6 @@ fn memory(summary: &Summary) -> ReportTable {
         of_cell("peak_memory_bytes_per_triangle", 0, a_triangle),
         columns::outcomes("outcomes", 0),
     ];
-    of_cells(names, summary.cells().iter(), columns::mesh().into_iter().chain(columns))
+    let cells = with_number(summary.cells().iter(), move |cell| peak(cell).is_some());
+    of_cells(names, cells, columns::mesh().into_iter().chain(columns))
 }
