@@ -36,7 +36,7 @@ impl Limits {
     pub(super) const DEFAULT: Self = Self {
         displacements: 16,
         first: 64,
-        factor: 4,
+        factor: 8,
         single_rounds: 2,
         patience: 3,
         divided: 1 << 15,
