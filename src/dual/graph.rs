@@ -1,6 +1,6 @@
 //! The dual graph: a node for each triangle, joined to those across its three edges.
 
-use super::row::Row;
+use super::row::{Row, backs};
 use crate::mesh::MAX_CORNERS;
 use crate::parallel::collect;
 use crate::prefetch::prefetch;
@@ -27,11 +27,21 @@ use crate::triangulation::{HalfEdgeId, Surface, TriangleId};
 /// assert_eq!(perfect.mate(node(3)), node(2));
 /// # Ok::<(), triquad::dual::DualGraphError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct DualGraph {
     rows: Vec<Row>,
     has_boundary: bool,
+    /// Whether the rows have [`backs`] in them.
+    has_backs: bool,
 }
+
+impl PartialEq for DualGraph {
+    fn eq(&self, other: &Self) -> bool {
+        self.rows == other.rows
+    }
+}
+
+impl Eq for DualGraph {}
 
 /// A defect of a list of edges: it is no graph of maximum degree 3 without loops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -69,21 +79,27 @@ impl Sides for DualGraph {
 impl DualGraph {
     /// Returns the dual graph of a triangulation: neighbour `i` lies across side `i`. O(n).
     pub fn new(surface: &impl Surface) -> Self {
-        Self::from_rows(Self::rows_of(surface, 0), !surface.is_closed())
+        let rows = Self::rows_of(surface, backs);
+        Self { rows, has_boundary: !surface.is_closed(), has_backs: true }
     }
 
-    /// Returns the rows of the dual graph of a surface, each with `beside` in it. O(n).
-    pub(crate) fn rows_of(surface: &impl Surface, beside: u32) -> Vec<Row> {
-        let across = |h| surface.across(h).map_or(TriangleId::NONE, HalfEdgeId::triangle);
-        collect(surface.triangle_count(), |f| Row {
-            sides: TriangleId::new(f).half_edges().map(across),
-            beside,
+    /// Returns the rows of the dual graph of a surface, each with what `beside` makes of the twins
+    /// of its sides. O(n).
+    pub(crate) fn rows_of(
+        surface: &impl Surface,
+        beside: impl Fn([Option<HalfEdgeId>; 3]) -> u32 + Sync + Send,
+    ) -> Vec<Row> {
+        collect(surface.triangle_count(), |f| {
+            let twins = TriangleId::new(f).half_edges().map(|side| surface.across(side));
+            let across =
+                |twin: Option<HalfEdgeId>| twin.map_or(TriangleId::NONE, HalfEdgeId::triangle);
+            Row { sides: twins.map(across), beside: beside(twins) }
         })
     }
 
     /// Makes a graph of its rows; the numbers beside the neighbours lose their meaning.
     pub(crate) fn from_rows(rows: Vec<Row>, has_boundary: bool) -> Self {
-        Self { rows, has_boundary }
+        Self { rows, has_boundary, has_backs: false }
     }
 
     /// Makes a graph of `nodes` nodes with at most three edges each. O(n).
@@ -137,6 +153,13 @@ impl DualGraph {
     #[inline]
     pub(crate) fn sides_or_none(&self, f: TriangleId) -> [TriangleId; 3] {
         self.rows[f.index()].sides
+    }
+
+    /// Returns the side of each neighbour that leads back to `f`, 0 across a boundary, if the graph
+    /// was made of a surface.
+    #[inline]
+    pub(crate) fn backs(&self, f: TriangleId) -> Option<[u8; 3]> {
+        self.has_backs.then(|| self.rows[f.index()].backs())
     }
 
     /// Returns the rows of all triangles in order.

@@ -210,4 +210,9 @@ impl CubicProblem for ObjectiveProblem<'_> {
             i128::from(costs[side]) + price
         })
     }
+
+    #[inline]
+    fn backs(&self, node: u32) -> Option<[u8; 3]> {
+        self.dual.backs(TriangleId(node))
+    }
 }

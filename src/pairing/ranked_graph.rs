@@ -74,7 +74,7 @@ impl RankedGraph {
 
     /// Makes the ranked dual graph of `triangulation`, every triangle in set 0. O(n).
     pub(super) fn new(triangulation: &Triangulation) -> Self {
-        Self { rows: DualGraph::rows_of(triangulation, Self::START.0), has_boundary: false }
+        Self { rows: DualGraph::rows_of(triangulation, |_| Self::START.0), has_boundary: false }
     }
 
     /// Copies `graph` and puts every triangle in set 0. O(n).

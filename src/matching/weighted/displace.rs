@@ -17,8 +17,8 @@ pub(super) struct Offers<N> {
     /// The half-edge that leaves the least room, one to a free node if there is.
     best: u32,
     is_free: bool,
-    /// The least room of the others.
-    second: Option<N>,
+    /// The least room of the others, [`Number::GREATEST`] if there are none.
+    second: N,
 }
 
 /// Lets each of the `free` nodes begin a chain of up to `steps` displacements.
@@ -61,7 +61,10 @@ fn displace<S: Nodes>(nodes: &mut S, node: u32) -> Option<u32> {
     let other = nodes.head(best);
     let given_up = nodes.mate(other);
     let is_grounded = given_up == nodes.ground(other);
-    let rise = second? - least;
+    if second == S::N::GREATEST {
+        return None;
+    }
+    let rise = second - least;
     if rise == S::N::ZERO && !is_grounded || nodes.is_on_border(other) {
         return None;
     }
@@ -83,11 +86,16 @@ fn displace<S: Nodes>(nodes: &mut S, node: u32) -> Option<u32> {
 }
 
 /// Looks at the edges of a free node and at its ground; `None` if there is neither.
+///
+/// Which edge leaves the least room is hard to predict: nothing branches there.
 #[inline]
 fn offers<S: Nodes>(nodes: &S, node: u32) -> Option<Offers<S::N>> {
-    let to_ground =
-        |least| Offers { least, best: nodes.ground(node), is_free: false, second: None };
-    let mut offers = nodes.price(node).map(to_ground);
+    // No room is that large.
+    let none = S::N::GREATEST;
+    let mut all = Offers { least: none, best: NONE, is_free: false, second: none };
+    if let Some(price) = nodes.price(node) {
+        (all.least, all.best) = (price, nodes.ground(node));
+    }
     for side in nodes.sides(node) {
         let twin = nodes.twin(side);
         if twin == NONE {
@@ -96,14 +104,11 @@ fn offers<S: Nodes>(nodes: &S, node: u32) -> Option<Offers<S::N>> {
         let other = nodes.origin(twin);
         let room = nodes.cost(side) - nodes.potential(other);
         let is_free = nodes.mate(other) == NONE;
-        let offer = |second| Some(Offers { least: room, best: side, is_free, second });
-        match &mut offers {
-            None => offers = offer(None),
-            Some(best) if room < best.least || room == best.least && is_free && !best.is_free => {
-                offers = offer(Some(best.least));
-            }
-            Some(best) => best.second = Some(best.second.map_or(room, |second| second.min(room))),
-        }
+        let is_better = (room < all.least) | ((room == all.least) & is_free & !all.is_free);
+        all.second = all.second.min(if is_better { all.least } else { room });
+        all.least = all.least.min(room);
+        all.best = if is_better { side } else { all.best };
+        all.is_free = if is_better { is_free } else { all.is_free };
     }
-    offers
+    (all.best != NONE).then_some(all)
 }

@@ -105,6 +105,11 @@ impl<C: Copy + Into<i128> + Sync> CubicProblem for DualProblem<'_, C> {
     fn costs(&self, node: u32) -> [i128; 3] {
         self.costs[node as usize].map(Into::into)
     }
+
+    #[inline]
+    fn backs(&self, node: u32) -> Option<[u8; 3]> {
+        self.graph.backs(TriangleId::new(node as usize))
+    }
 }
 
 impl Mates for Matching {

@@ -40,7 +40,8 @@ impl Label {
     }
 }
 
-/// An array of nodes.
+/// An array of nodes. At first none has a mate, and potentials are feasible: no edge has negative
+/// slack, and none is above the price of its node.
 pub(super) trait Nodes: Sync {
     /// The integers of costs and potentials.
     type N: Number;

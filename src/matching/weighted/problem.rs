@@ -51,6 +51,13 @@ pub trait CubicProblem: Problem {
 
     /// Returns the costs of the edges across the three sides; any number where there is no edge.
     fn costs(&self, node: u32) -> [i128; 3];
+
+    /// Returns for each side the neighbour's side of the same edge, from 0 to 2, if these are at
+    /// hand for all nodes; the solver need not find them then, and relies on them. Any of them where
+    /// there is no edge.
+    fn backs(&self, _node: u32) -> Option<[u8; 3]> {
+        None
+    }
 }
 
 /// Returns the edges in one of several parts, each edge at the lower of its nodes.

@@ -69,7 +69,19 @@ impl<N: Number> Sparse<N> {
             label: Label::Free,
             is_marked: false,
         };
-        Ok(Self { rows: vec![row; count], half_edges, first, prices })
+        let mut nodes = Self { rows: vec![row; count], half_edges, first, prices };
+        nodes.set_feasible_potentials();
+        Ok(nodes)
+    }
+
+    /// Makes each potential half of the cheapest edge, or the price if that is less.
+    fn set_feasible_potentials(&mut self) {
+        for node in self.range() {
+            let halves = self.sides(node).map(|side| self.cost(side).half());
+            if let Some(least) = halves.chain(self.price(node)).min() {
+                self.add_potential(node, least);
+            }
+        }
     }
 }
 

@@ -3,21 +3,13 @@
 use super::displace::{displace_each, raise};
 use super::limits::Limits;
 use super::nodes::{NONE, Nodes};
-use super::number::Number;
 
-/// Sets feasible potentials, raises each free node's as far as that goes, and pairs it along an
-/// edge that thereby becomes tight. O(nodes in range).
+/// Raises the potential of each free node as far as that goes, and pairs it along an edge that
+/// thereby becomes tight. O(nodes in range).
 ///
 /// Then free nodes [displace](displace_each) others. Returns the nodes that stay free, and those on
 /// the border, which [`raise_each`] is for.
 pub(super) fn start<S: Nodes>(nodes: &mut S, limits: Limits) -> (Vec<u32>, Vec<u32>) {
-    for node in nodes.range() {
-        let costs = nodes.sides(node).filter(|&side| nodes.twin(side) != NONE);
-        let halves = costs.map(|side| nodes.cost(side).half());
-        if let Some(least) = halves.chain(nodes.price(node)).min() {
-            nodes.add_potential(node, least);
-        }
-    }
     let mut border = Vec::new();
     let mut free = Vec::new();
     for node in nodes.range() {

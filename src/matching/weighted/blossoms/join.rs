@@ -37,8 +37,7 @@ impl<S: Nodes> Trees<S> {
         work.add(first.work);
         let Grown { next, blossoms, sets, unused_blossoms, unused_sets, .. } = first;
         let pending = vec![Vec::new(); sets.len()];
-        let family =
-            Family { nodes, next, blossoms, sets, pending, unused_blossoms, unused_sets };
+        let family = Family { nodes, next, blossoms, sets, pending, unused_blossoms, unused_sets };
         let mut trees = Self::of(family, work);
         parts.for_each(|part| trees.add(part, count));
         trees

@@ -1,5 +1,6 @@
 //! Nodes of at most three sides, each in one half of a cache line.
 
+mod read;
 mod row;
 mod rows;
 mod view;

@@ -17,3 +17,6 @@ pub(super) struct Row<N: Number> {
 
 /// First bit of the set in a state.
 pub(super) const SET: u32 = 8;
+
+/// State of a node without mate, label, mark and set.
+pub(super) const EMPTY: u64 = u64::MAX << SET;

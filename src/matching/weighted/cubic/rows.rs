@@ -1,16 +1,16 @@
 //! All nodes, and how they are read.
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::super::nodes::NONE;
 use super::super::number::{Number, doubled};
 use super::super::places::Places;
-use super::super::problem::{CubicProblem, NONE as NO_NODE};
+use super::super::problem::CubicProblem;
 use super::super::refusal::Refusal;
-use super::row::{Row, SET};
+use super::read::{joined_rows, open_rows};
+use super::row::{EMPTY, Row};
 use super::view::Cubic;
-use crate::parallel::{collect, map};
+use crate::parallel::map;
 
 /// A graph in which no node has more than three sides.
 pub(crate) struct Rows<N: Number> {
@@ -32,13 +32,15 @@ impl<N: Number> Rows<N> {
         ranges: impl Iterator<Item = Range<u32>>,
     ) -> Result<Self, Refusal> {
         let count = problem.node_count();
-        let is_too_narrow = AtomicBool::new(false);
-        let mut rows = collect(count, |place| row(problem, places, place as u32, &is_too_narrow));
-        if is_too_narrow.into_inner() {
-            return Err(Refusal::TooNarrow);
-        }
+        let rows = match joined_rows(problem, places)? {
+            Some(rows) => rows,
+            None => {
+                let mut rows = open_rows(problem, places)?;
+                join_all(&mut rows, ranges)?;
+                rows
+            }
+        };
         let all = 0..count as u32;
-        join_all(&mut rows, ranges)?;
         let price = |place| problem.price(places.node_at(place));
         let prices = if all.clone().any(|place| price(place).is_some()) {
             all.map(|place| price(place).map(doubled).transpose()).collect::<Result<_, _>>()?
@@ -82,36 +84,6 @@ fn divide<N: Number>(
         rows = rest;
         (range, own)
     })
-}
-
-/// State of a node without mate, label, mark and set.
-const EMPTY: u64 = u64::MAX << SET;
-
-/// Reads the node at a place; the places of neighbours stand for twins.
-///
-/// Notes a cost that the numbers do not hold. The lowest three bits of the state are for [`join`].
-#[inline]
-fn row<N: Number>(
-    problem: &impl CubicProblem,
-    places: &Places,
-    place: u32,
-    is_too_narrow: &AtomicBool,
-) -> Row<N> {
-    let node = places.node_at(place);
-    let neighbours = problem.neighbours(node);
-    let costs = problem.costs(node);
-    let mut row =
-        Row { twins: [NONE; 3], costs: [N::ZERO; 3], potential: N::ZERO, state: N::state(EMPTY) };
-    for (side, neighbour) in neighbours.into_iter().enumerate() {
-        if neighbour != NO_NODE && neighbour != node {
-            row.twins[side] = places.place_of(neighbour);
-            row.costs[side] = doubled(costs[side]).unwrap_or_else(|_| {
-                is_too_narrow.store(true, Ordering::Relaxed);
-                N::ZERO
-            });
-        }
-    }
-    row
 }
 
 /// Makes twins of all sides: first in each of the ranges, then between them.

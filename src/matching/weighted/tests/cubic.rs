@@ -127,6 +127,13 @@ proptest! {
         }
     }
 
+    /// Surfaces have one edge between two triangles at most: there is no choice of twins.
+    #[test]
+    fn twins_at_hand_change_nothing(graph in surface(), limits in limits()) {
+        let found = |has_backs| solve(&Rows { has_backs, ..graph.clone() }, limits);
+        prop_assert_eq!(found(true), found(false));
+    }
+
     #[test]
     fn surfaces_are_solved_with_proof(graph in surface(), limits in limits()) {
         proven(&graph, solve(&graph, limits))?;

@@ -14,26 +14,37 @@ pub(super) struct Rows {
     pub(super) neighbours: Vec<[u32; 3]>,
     pub(super) costs: Vec<[i128; 3]>,
     pub(super) prices: Vec<Option<i128>>,
+    /// The neighbours' sides, for those that have them at hand.
+    pub(super) backs: Vec<[u8; 3]>,
+    pub(super) has_backs: bool,
 }
 
 impl Rows {
-    /// Adds edges in order; leaves out loops and those that find a node full.
+    /// Adds edges in order; leaves out loops and those that find a node full. Has twins at hand if
+    /// there are an even number of edges.
     pub(super) fn from_edges(
         prices: Vec<Option<i128>>,
         edges: impl Iterator<Item = (u32, u32, i128)>,
     ) -> Self {
         let count = prices.len();
-        let mut rows =
-            Self { neighbours: vec![[NONE; 3]; count], costs: vec![[0; 3]; count], prices };
+        let mut rows = Self {
+            neighbours: vec![[NONE; 3]; count],
+            costs: vec![[0; 3]; count],
+            prices,
+            backs: vec![[0; 3]; count],
+            has_backs: true,
+        };
         for (u, v, cost) in edges.filter(|(u, v, _)| u != v) {
             let vacant = |node: u32| {
                 rows.neighbours[node as usize].iter().position(|&neighbour| neighbour == NONE)
             };
             let (Some(i), Some(j)) = (vacant(u), vacant(v)) else { continue };
-            for (from, side, to) in [(u, i, v), (v, j, u)] {
+            for (from, side, to, back) in [(u, i, v, j), (v, j, u, i)] {
                 rows.neighbours[from as usize][side] = to;
                 rows.costs[from as usize][side] = cost;
+                rows.backs[from as usize][side] = back as u8;
             }
+            rows.has_backs = !rows.has_backs;
         }
         rows
     }
@@ -68,6 +79,10 @@ impl CubicProblem for Rows {
 
     fn costs(&self, node: u32) -> [i128; 3] {
         self.costs[node as usize]
+    }
+
+    fn backs(&self, node: u32) -> Option<[u8; 3]> {
+        self.has_backs.then(|| self.backs[node as usize])
     }
 }
 
