@@ -13,7 +13,7 @@ use triquad::{
 };
 
 use crate::failure::Failure;
-use crate::input::{self, Built, Fate, Repairs};
+use crate::input::{self, Built, Fate, OpenWay, Repairs};
 use crate::progress::StatusLine;
 use crate::targets::{Paths, Targets};
 use crate::{aims, certificate};
@@ -233,9 +233,9 @@ fn failure(
         (CheckError::VertexCount { .. } | CheckError::Moved(_), Built::Open(_, survey))
             if !arguments.open =>
         {
-            let remedy = Some("--open allows it");
             let Arguments { against, repairs, .. } = arguments;
-            return input::refusal(against, Some(triangles), survey, *repairs, remedy);
+            let open = Some(OpenWay::Check);
+            return input::refusal(against, Some(triangles), survey, *repairs, open);
         }
         (CheckError::NotAQuad(_, FaceFault::Corners(3)), _) => {
             "; --open allows triangles that are left over".into()

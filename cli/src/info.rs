@@ -152,8 +152,8 @@ impl Info {
     }
 
     fn from_survey(input: String, survey: &Survey, refused: &Refused) -> Self {
-        let welding_distance = refused.welding_distance().filter(|_| !survey.closed);
-        let way = refused.options(survey);
+        let welding_distance = refused.closing_distance().filter(|_| !survey.closed);
+        let way = refused.options();
         let stays_open = way.as_ref().is_some_and(|way| way.is_open);
         let broken = |violation| Broken::new(violation, refused, stays_open);
         Self {
