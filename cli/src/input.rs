@@ -201,11 +201,8 @@ pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Fail
         Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
         Err(survey) => survey,
     };
-    if !survey.is_open_surface(repairs.orient) {
+    if !survey.is_open_surface(false) {
         return Err(refusal(path, Some(&mesh), &survey, repairs, None));
-    }
-    if repairs.orient {
-        survey.orient(&mut mesh);
     }
     let open = OpenTriangulation::build(&mesh);
     let open = open.map_err(|survey| refusal(path, Some(&mesh), &survey, repairs, None))?;

@@ -378,6 +378,34 @@ fn other_laws_are_as_many_as_info_lists() {
     assert_contains(&line, &["[several-fans]"], "what is allowed is not the reason");
 }
 
+/// A face too many at an edge, and a face that `--orient` flips.
+#[test]
+fn other_laws_are_those_after_faces_are_flipped() {
+    let workshop = Workshop::new();
+    let mut torus = grids::torus(10, 6);
+    torus.triangles[70].reverse();
+    let [a, b, _] = torus.triangles[0];
+    torus.triangles.push([a, b, 60]);
+    torus.positions.push([9.0; 3]);
+    workshop.put_surface("in.obj", &torus);
+    for options in ["--orient", "--weld --orient"] {
+        let info = format!("info in.obj {options}");
+        let laws =
+            workshop.json(&format!("{info} --json"), 2)["violations"].as_array().unwrap().len();
+        assert_eq!(laws, 3);
+        let others = format!("(and 2 other laws are broken, see 'triquad {info}')");
+        for verb in [
+            "convert in.obj",
+            "convert in.obj --open",
+            "irreducible in.obj",
+            "check in.obj --against in.obj",
+            "simplify in.obj --vertices 20",
+        ] {
+            assert_contains(&workshop.fail(&format!("{verb} {options}"), 2), &[&others], verb);
+        }
+    }
+}
+
 #[test]
 fn a_remedy_that_does_not_suffice_says_so() {
     let workshop = Workshop::new();
