@@ -166,7 +166,7 @@ impl Info {
             triangles: survey.triangles,
             quads: 0,
             euler_characteristic: survey.euler_characteristic,
-            genus: survey.handles.filter(|&handles| survey.orientable || handles > 0),
+            genus: survey.filled_genus(),
             non_orientable_genus: survey.non_orientable_genus(),
             components: survey.components,
             boundary_loops: survey.boundary_loops,
