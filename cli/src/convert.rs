@@ -306,6 +306,15 @@ fn compare(
             }
         }
     }
+    if let Some((deeds, options)) = arguments.aims.for_best_alone() {
+        let mut converter = arguments.converter(&mut status).aims(aims.cost_alone());
+        match converter.run(mesh) {
+            Ok(without) => table.explain_best(&deeds, &options, without),
+            Err(error) => {
+                return Err(conversion_failure(arguments, aims, &error, Some(mesh)));
+            }
+        }
+    }
     drop(status);
     stdio::say(&table.to_string())
 }
