@@ -5,7 +5,7 @@ use std::path::Path;
 use triquad::counted::counted;
 use triquad::mesh::{Attributes, Format, MeshError, Reader, refuse_endless};
 use triquad::triangulation::OpenTriangulation;
-use triquad::{Element, Mesh, Survey, Triangulation};
+use triquad::{Element, Law, Mesh, Survey, Triangulation};
 
 use crate::failure::{Facts, Failure};
 use crate::remedies::Way;
@@ -197,11 +197,14 @@ pub enum Built {
 pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Failure> {
     let mut mesh = read(path, repairs.reading)?;
     repair(path, &mut mesh, repairs)?;
-    let survey = match build_oriented(&mut mesh, repairs) {
+    let mut survey = match build_oriented(&mut mesh, repairs) {
         Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
         Err(survey) => survey,
     };
     if !survey.is_open_surface(false) {
+        // What is allowed is no reason, so it comes last.
+        let is_allowed = |law| matches!(law, Law::NoBoundary | Law::Orientable);
+        survey.violations.sort_by_key(|violation| is_allowed(violation.law));
         return Err(refusal(path, Some(&mesh), &survey, repairs, None));
     }
     let open = OpenTriangulation::build(&mesh);

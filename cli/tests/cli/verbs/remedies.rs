@@ -378,6 +378,53 @@ fn other_laws_are_as_many_as_info_lists() {
     assert_contains(&line, &["[several-fans]"], "what is allowed is not the reason");
 }
 
+/// What `check` takes is no reason, and its options are.
+#[test]
+fn check_names_the_repairs_that_convert_had() {
+    let workshop = Workshop::new();
+    let mut turned = torus_without(50);
+    turned.triangles[70].reverse();
+    for (name, mesh, law, remedy, options) in [
+        ("turned", turned, "inconsistent-orientation", "--orient flips faces", "--orient"),
+        ("bow-tie", torus_with_seam(119), "several-fans", "--weld mends it", "--weld"),
+        ("seam", torus_with_seam(50), "boundary-edge", "--weld --open allow it", "--weld"),
+    ] {
+        workshop.put_surface("in.obj", &mesh);
+        workshop.succeed(&format!("convert in.obj {options} --open -o out.obj"));
+        let line = workshop.fail("check out.obj --against in.obj", 2);
+        assert_contains(&line, &[&format!("[{law}]"), remedy], name);
+        workshop.succeed(&format!("check out.obj --against in.obj {options}"));
+    }
+    let line = workshop.fail("check out.obj --against in.obj --open", 1);
+    let told = "the quad mesh has 60 vertices, the triangle mesh 66; with --weld it has as many";
+    assert_contains(&line, &[told], "--open");
+}
+
+/// What is counted is told apart from what is not.
+#[test]
+fn a_mesh_without_boundary_that_is_not_closed_says_why() {
+    let workshop = Workshop::new();
+    let only = "v 0 0 0\nv 1 0 0\nf 1 1 2\n".to_owned();
+    for (mesh, closed, faces) in [
+        (only, "no: no face has three corners of its own", "1 (1 triangle), 1 in no other count"),
+        (format!("{TETRAHEDRON}f 1 1 2\nf 2 3 3\n"), "yes", "6 (6 triangles), 2 in no other count"),
+        (
+            format!("{TETRAHEDRON}f 1 2 4\n"),
+            "no: some edges belong to more than two faces",
+            "5 (5 triangles)\n",
+        ),
+        (TETRAHEDRON[..TETRAHEDRON.len() - 8].to_owned(), "no\n", "3 (3 triangles)\n"),
+    ] {
+        workshop.put("in.obj", mesh);
+        let stdout = String::from_utf8(workshop.run("info in.obj").stdout).unwrap();
+        let rows = [
+            format!("\n  closed                 {closed}"),
+            format!("\n  faces                  {faces}"),
+        ];
+        assert_contains(&stdout, &[&rows[0], &rows[1]], closed);
+    }
+}
+
 /// A face too many at an edge, and a face that `--orient` flips.
 #[test]
 fn other_laws_are_those_after_faces_are_flipped() {
