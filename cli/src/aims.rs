@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use triquad::convert::Aims;
+use triquad::counted::listed;
 use triquad::quadrangulation::Keep;
 use triquad::{ConvertError, DefaultCost, ShapeCost};
 
@@ -125,6 +126,28 @@ impl AimOptions {
         Ok(ReadAims { aims, cost, edges })
     }
 
+    /// Returns what the options make of `best` alone, in words, and these options; none if all
+    /// algorithms are judged by the same.
+    pub fn for_best_alone(&self) -> Option<(String, String)> {
+        let deeds = [
+            (self.keeps_edges(), "keeps edges"),
+            (self.quad_dominant.is_some(), "leaves triangles at a price"),
+        ];
+        let options = [
+            (self.keep_sharp.is_some(), "--keep-sharp"),
+            (self.keep_edges.is_some(), "--keep-edges"),
+            (self.keep_seams, "--keep-seams"),
+            (self.strict, "--strict"),
+            (self.quad_dominant.is_some(), "--quad-dominant"),
+        ];
+        let given = |all: &[(bool, &str)]| {
+            let given = all.iter().filter(|(is_given, _)| *is_given);
+            given.map(|(_, words)| String::from(*words)).collect::<Vec<_>>()
+        };
+        let deeds = given(&deeds);
+        (!deeds.is_empty()).then(|| (listed(&deeds), listed(&given(&options))))
+    }
+
     /// Returns whether edges are to be kept.
     fn keeps_edges(&self) -> bool {
         self.keep_sharp.is_some() || self.keep_edges.is_some() || self.keep_seams
@@ -141,6 +164,13 @@ impl AimOptions {
 }
 
 impl ReadAims {
+    /// Returns the aims that all algorithms are judged by: the cost alone.
+    pub fn cost_alone(&self) -> Aims<'static> {
+        let mut aims = Aims::default();
+        (aims.cost, aims.listed_costs) = (self.aims.cost, self.aims.listed_costs.clone());
+        aims
+    }
+
     /// Words a failure that a file of these aims caused, if one did.
     pub fn failure(&self, input: &Path, error: &ConvertError) -> Option<Failure> {
         let input = input.display();

@@ -13,9 +13,11 @@ use triquad::{
 };
 
 use crate::failure::Failure;
-use crate::input::{self, Built, Fate, Repairs};
+use crate::input::{self, Built, Fate, OpenWay, Repairs};
 use crate::progress::StatusLine;
+use crate::remedies::Refused;
 use crate::targets::{Paths, Targets};
+use crate::welding::Welding;
 use crate::{aims, certificate};
 
 /// Check that a quad mesh is a quadrangulation of a triangle mesh
@@ -233,9 +235,16 @@ fn failure(
         (CheckError::VertexCount { .. } | CheckError::Moved(_), Built::Open(_, survey))
             if !arguments.open =>
         {
-            let remedy = Some("--open allows it");
             let Arguments { against, repairs, .. } = arguments;
-            return input::refusal(against, Some(triangles), survey, *repairs, remedy);
+            let open = Some(OpenWay::Check);
+            return input::refusal(against, Some(triangles), survey, *repairs, open);
+        }
+        (CheckError::VertexCount { quads, triangles: all }, _) => {
+            let refused = Refused::new(triangles, &arguments.against, arguments.repairs);
+            let welding = refused.welding();
+            let welding = welding.filter(|welding| quads + welding.attempt.joined == *all);
+            let remedy = |welding: &Welding| format!("; with {} it has as many", welding.option());
+            welding.map(remedy).unwrap_or_default()
         }
         (CheckError::NotAQuad(_, FaceFault::Corners(3)), _) => {
             "; --open allows triangles that are left over".into()

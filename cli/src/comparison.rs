@@ -14,6 +14,8 @@ pub struct Table<'a> {
     rows: Vec<[String; COLUMNS]>,
     /// Algorithms that do not take the mesh.
     skipped: Vec<String>,
+    /// What the columns do not say.
+    note: Option<String>,
 }
 
 const COLUMNS: usize = 10;
@@ -34,7 +36,7 @@ const NAMES: [&str; COLUMNS] = [
 impl<'a> Table<'a> {
     /// Makes a table in which costs are those of `aims`.
     pub fn new(aims: &'a Aims<'a>) -> Self {
-        Self { aims, rows: vec![NAMES.map(String::from)], skipped: Vec::new() }
+        Self { aims, rows: vec![NAMES.map(String::from)], skipped: Vec::new(), note: None }
     }
 
     /// Adds the row of a conversion.
@@ -64,6 +66,13 @@ impl<'a> Table<'a> {
         row[0] = algorithm.to_string();
         self.skipped.push(row[0].clone());
         self.rows.push(row);
+    }
+
+    /// Adds a line on options that mean something to `best` alone, given what they make it do,
+    /// their names, and its conversion without them.
+    pub fn explain_best(&mut self, deeds: &str, options: &str, without: Converted) {
+        let cost = self.cost(without).map(|cost| format!("; without {options} its cost is {cost}"));
+        self.note = Some(format!("only best {deeds}{}", cost.unwrap_or_default()));
     }
 
     /// Returns the total cost of the pairs, from the meshes alone. Listed costs are those of edges
@@ -99,8 +108,8 @@ fn seconds(seconds: f64) -> String {
 }
 
 impl fmt::Display for Table<'_> {
-    /// Writes the columns right-aligned, names of algorithms left-aligned, and a line on those that
-    /// were skipped.
+    /// Writes the columns right-aligned, names of algorithms left-aligned, a line on those that
+    /// were skipped, and one on options for `best` alone.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = |k: usize| self.rows.iter().map(|row| row[k].len()).max().unwrap_or(0);
         let widths: [usize; COLUMNS] = std::array::from_fn(width);
@@ -114,9 +123,10 @@ impl fmt::Display for Table<'_> {
             }
         }
         match &self.skipped[..] {
-            [] => Ok(()),
-            [one] => write!(f, "\n{one} takes closed, two-sided surfaces only"),
-            more => write!(f, "\n{} take closed, two-sided surfaces only", listed(more)),
+            [] => {}
+            [one] => write!(f, "\n{one} takes closed, two-sided surfaces only")?,
+            more => write!(f, "\n{} take closed, two-sided surfaces only", listed(more))?,
         }
+        self.note.iter().try_for_each(|note| write!(f, "\n{note}"))
     }
 }

@@ -11,11 +11,13 @@ use triquad::{Algorithm, Augmentation, ConvertError, Converter, Expansion, Mesh,
 use crate::aims::{AimOptions, ReadAims};
 use crate::failure::Failure;
 use crate::formats::{may_write, reads};
-use crate::input::{self, Fate, Repairs};
+use crate::input::{self, Fate, OpenWay, Repairs};
 use crate::names::one_of;
 use crate::progress::StatusLine;
+use crate::remedies::Refused;
 use crate::several::Several;
 use crate::targets::{Paths, Targets};
+use crate::welding::may_have_seams;
 use crate::{certificate, comparison, machine, stdio};
 
 /// Convert a triangle mesh into quads on the same vertices
@@ -245,9 +247,10 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
         fate = Fate::of_faces(quads.mesh());
         losses.clear();
     }
+    let triangles = quads.into_triangle_mesh();
     if arguments.write_triangulation.is_some() {
         status.say("writing the triangles");
-        targets.write_triangles(&quads.into_triangle_mesh())?;
+        targets.write_triangles(&triangles)?;
     }
     drop(status);
     let all_left_out = [fate.all(), losses.clone()].concat();
@@ -256,7 +259,29 @@ fn convert(arguments: &Arguments) -> Result<(), Failure> {
     if !losses.is_empty() {
         summary = format!("{summary}; lost: {}", losses.join(", "));
     }
-    targets.finish(&stats, &fate, &summary)
+    targets.finish(&stats, &fate, &summary)?;
+    tell_of_seams(arguments, &report, &triangles);
+    Ok(())
+}
+
+/// Prints a note if the boundary of an open surface is partly one of seams that welding closes.
+fn tell_of_seams(arguments: &Arguments, report: &Report, triangles: &Mesh) {
+    /// Below, looking for seams takes no time to speak of.
+    const FEW_TRIANGLES: usize = 100_000;
+    /// The least share of boundary edges, so that looking is worth its time.
+    const SHARE: usize = 100;
+    let Arguments { input, repairs, .. } = arguments;
+    let is_open = report.boundary_loops.is_some_and(|loops| loops > 0);
+    // Every edge of an open surface has one face or two.
+    let boundary_edges = (2 * report.edges).saturating_sub(3 * report.triangles);
+    let may_look = report.triangles < FEW_TRIANGLES || SHARE * boundary_edges >= report.triangles;
+    if !is_open || repairs.reading.weld.is_some() || !may_look || !may_have_seams(triangles) {
+        return;
+    }
+    let refused = Refused::new(triangles, input, *repairs);
+    if let Some(welding) = refused.welding_to_a_surface() {
+        stdio::note(&format!("{}: note: {welding}", input.display()));
+    }
 }
 
 /// Converts by every algorithm and prints a table.
@@ -281,6 +306,15 @@ fn compare(
             }
         }
     }
+    if let Some((deeds, options)) = arguments.aims.for_best_alone() {
+        let mut converter = arguments.converter(&mut status).aims(aims.cost_alone());
+        match converter.run(mesh) {
+            Ok(without) => table.explain_best(&deeds, &options, without),
+            Err(error) => {
+                return Err(conversion_failure(arguments, aims, &error, Some(mesh)));
+            }
+        }
+    }
     drop(status);
     stdio::say(&table.to_string())
 }
@@ -298,11 +332,9 @@ fn conversion_failure(
     }
     match error {
         ConvertError::Refused(survey) => {
-            let opens = !arguments.open && survey.is_open_surface(arguments.repairs.orient);
-            let remedy =
-                opens.then_some("--open converts it and leaves over as few triangles as possible");
+            let open = (!arguments.open).then_some(OpenWay::Convert);
             let again = if mesh.is_none() { read_again(arguments) } else { None };
-            input::refusal(input, mesh.or(again.as_ref()), survey, arguments.repairs, remedy)
+            input::refusal(input, mesh.or(again.as_ref()), survey, arguments.repairs, open)
         }
         ConvertError::NeedsClosed(_) | ConvertError::NeedsBest { .. } => {
             Failure::bad(format!("{}: {error}", input.display()))

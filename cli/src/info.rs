@@ -152,8 +152,8 @@ impl Info {
     }
 
     fn from_survey(input: String, survey: &Survey, refused: &Refused) -> Self {
-        let welding_distance = refused.welding_distance().filter(|_| !survey.closed);
-        let way = refused.options(survey);
+        let welding_distance = refused.closing_distance().filter(|_| !survey.closed);
+        let way = refused.options();
         let stays_open = way.as_ref().is_some_and(|way| way.is_open);
         let broken = |violation| Broken::new(violation, refused, stays_open);
         Self {
@@ -166,7 +166,7 @@ impl Info {
             triangles: survey.triangles,
             quads: 0,
             euler_characteristic: survey.euler_characteristic,
-            genus: survey.handles.filter(|&handles| survey.orientable || handles > 0),
+            genus: survey.filled_genus(),
             non_orientable_genus: survey.non_orientable_genus(),
             components: survey.components,
             boundary_loops: survey.boundary_loops,
@@ -214,18 +214,26 @@ fn describe(info: &Info) -> String {
         (None, Some(_)) => "none (the surface is one-sided)".into(),
         (None, None) => "none (the faces are no surface)".into(),
     };
+    // The Euler characteristic counts the other faces.
+    let counted_faces = info.euler_characteristic - info.vertices as i64 + info.edges as i64;
+    let mut faces = format!("{} ({})", info.faces, kinds_of_faces(info));
+    if counted_faces < info.faces as i64 {
+        let _ = write!(faces, ", {} in no other count", info.faces as i64 - counted_faces);
+    }
     let yes_no = |yes| String::from(if yes { "yes" } else { "no" });
     let cross_caps = info.non_orientable_genus.map(filled);
     let closed = match info.welding_distance {
         Some(0.0) => "no, but it is with --weld: vertices are at equal coordinates".into(),
         Some(distance) => format!("no, but it is with --weld {distance:e}"),
-        None => yes_no(info.closed),
+        None if info.closed || info.boundary_loops > 0 || info.faces == 0 => yes_no(info.closed),
+        None if info.edges == 0 => "no: no face has three corners of its own".into(),
+        None => "no: some edges belong to more than two faces".into(),
     };
     let rows = [
         ("vertices", info.vertices.to_string()),
         ("unreferenced vertices", info.unreferenced_vertices.to_string()),
         ("edges", info.edges.to_string()),
-        ("faces", format!("{} ({})", info.faces, kinds_of_faces(info))),
+        ("faces", faces),
         ("Euler characteristic", info.euler_characteristic.to_string()),
         ("genus", genus),
         ("non-orientable genus", cross_caps.unwrap_or_default()),

@@ -5,9 +5,10 @@ use std::path::Path;
 use triquad::counted::counted;
 use triquad::mesh::{Attributes, Format, MeshError, Reader, refuse_endless};
 use triquad::triangulation::OpenTriangulation;
-use triquad::{Element, Mesh, Survey, Triangulation};
+use triquad::{Element, Law, Mesh, Survey, Triangulation};
 
 use crate::failure::{Facts, Failure};
+use crate::remedies::Way;
 use crate::{remedies, shell, stdio};
 
 /// Options of reading a mesh.
@@ -176,12 +177,8 @@ pub fn read_triangulation(path: &Path, repairs: Repairs) -> Result<Mesh, Failure
 pub fn build(path: &Path, mesh: &mut Mesh, repairs: Repairs) -> Result<Triangulation, Failure> {
     repair(path, mesh, repairs)?;
     let triangulation = build_oriented(mesh, repairs);
-    triangulation.map_err(|survey| {
-        let opens = survey.is_open_surface(repairs.orient);
-        let file = repairs.behind(path);
-        let remedy = format!("only 'triquad convert {file} --open' and check take it as it is");
-        refusal(path, Some(mesh), &survey, repairs, opens.then_some(&remedy))
-    })
+    triangulation
+        .map_err(|survey| refusal(path, Some(mesh), &survey, repairs, Some(OpenWay::Elsewhere)))
 }
 
 /// Builds the triangulation, after faces are turned if requested.
@@ -200,15 +197,15 @@ pub enum Built {
 pub fn read_surface(path: &Path, repairs: Repairs) -> Result<(Mesh, Built), Failure> {
     let mut mesh = read(path, repairs.reading)?;
     repair(path, &mut mesh, repairs)?;
-    let survey = match build_oriented(&mut mesh, repairs) {
+    let mut survey = match build_oriented(&mut mesh, repairs) {
         Ok(triangulation) => return Ok((mesh, Built::Closed(triangulation))),
         Err(survey) => survey,
     };
-    if !survey.is_open_surface(repairs.orient) {
+    if !survey.is_open_surface(false) {
+        // What is allowed is no reason, so it comes last.
+        let is_allowed = |law| matches!(law, Law::NoBoundary | Law::Orientable);
+        survey.violations.sort_by_key(|violation| is_allowed(violation.law));
         return Err(refusal(path, Some(&mesh), &survey, repairs, None));
-    }
-    if repairs.orient {
-        survey.orient(&mut mesh);
     }
     let open = OpenTriangulation::build(&mesh);
     let open = open.map_err(|survey| refusal(path, Some(&mesh), &survey, repairs, None))?;
@@ -252,15 +249,51 @@ pub fn system_problem(error: &std::io::Error) -> String {
     text.split(" (os error").next().unwrap_or_default().to_owned()
 }
 
+/// What to say of a surface with boundary or one side that is refused as such.
+#[derive(Clone, Copy)]
+pub enum OpenWay {
+    /// `convert` takes it.
+    Convert,
+    /// `convert` takes it, and this verb does not.
+    Elsewhere,
+    /// `check` takes it.
+    Check,
+}
+
+impl OpenWay {
+    /// Returns the remedy, for the options with which `convert` takes the mesh.
+    fn remedy(self, path: &Path, repairs: Repairs, way: &Way) -> String {
+        let beyond = way.beyond(repairs);
+        let options = beyond.join(" ");
+        match (self, beyond.len()) {
+            (Self::Convert, 1) => {
+                format!("{options} converts it and leaves over as few triangles as possible")
+            }
+            (Self::Convert, _) => {
+                format!("{options} convert it and leave over as few triangles as possible")
+            }
+            (Self::Elsewhere, 1) => {
+                let file = shell::word(path);
+                format!("only 'triquad convert {file} {way}' and check take it as it is")
+            }
+            (Self::Elsewhere, _) => {
+                format!("only 'triquad convert {} {way}' and check take it", shell::word(path))
+            }
+            (Self::Check, 1) => format!("{options} allows it"),
+            (Self::Check, _) => format!("{options} allow it"),
+        }
+    }
+}
+
 /// Makes the failure of a mesh that is no triangulation: its first broken law, the number of
-/// others, a second remedy if there is one, and the lines of the file that could not be read. The
+/// others, what to say if it can stay open, and the lines of the file that could not be read. The
 /// remedy is better if the mesh is at hand.
 pub fn refusal(
     path: &Path,
     mesh: Option<&Mesh>,
     survey: &Survey,
     repairs: Repairs,
-    other_remedy: Option<&str>,
+    open: Option<OpenWay>,
 ) -> Failure {
     let first = &survey.violations[0];
     let others = match survey.violations.len() - 1 {
@@ -277,12 +310,17 @@ pub fn refusal(
         _ => ", counted from 1",
     };
     let name = first.law.name();
-    let mut remedy = match mesh {
-        Some(mesh) => remedies::Refused::new(mesh, path, repairs).full_remedy(survey),
+    let refused = mesh.map(|mesh| remedies::Refused::new(mesh, path, repairs));
+    let mut remedy = match &refused {
+        Some(refused) => refused.full_remedy(first),
         None => remedies::general(first.law, repairs).to_string(),
     };
-    if let Some(other) = other_remedy {
-        remedy = format!("{remedy}; {other}");
+    let way = match &refused {
+        Some(refused) => refused.options(),
+        None => survey.is_open_surface(repairs.orient).then_some(Way { repairs, is_open: true }),
+    };
+    if let (Some(open), Some(way)) = (open, way.filter(|way| way.is_open)) {
+        remedy = format!("{remedy}; {}", open.remedy(path, repairs, &way));
     }
     let file = path.display().to_string();
     let unknown =

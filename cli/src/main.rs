@@ -9,6 +9,7 @@
 //! remedy. So is a refusal of memory (Linux).
 
 mod aims;
+mod attempt;
 mod bad_runs;
 mod certificate;
 mod check;
@@ -52,6 +53,7 @@ mod stack;
 mod stdio;
 mod targets;
 mod threads;
+mod welding;
 
 use std::ffi::OsString;
 use std::num::NonZeroUsize;

@@ -2,17 +2,18 @@
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
-use std::collections::BTreeSet;
 use std::fmt;
 use std::path::Path;
 
 use triquad::counted::{counted, listed};
-use triquad::mesh::{Cleaned, Faces, Format};
-use triquad::{Element, Law, Mesh, Survey, Violation};
+use triquad::mesh::Format;
+use triquad::{Element, Law, Mesh, Violation};
 
+use crate::attempt::Attempt;
 use crate::fins::Fins;
-use crate::input::{self, Repairs};
-use crate::rim::{Junction, rim_edges};
+use crate::input::Repairs;
+use crate::rim::Junction;
+use crate::welding::Welding;
 
 /// A mesh that was read and repaired, and is refused.
 pub struct Refused<'a> {
@@ -20,7 +21,8 @@ pub struct Refused<'a> {
     /// The format of the file, if its name tells.
     format: Option<Format>,
     repairs: Repairs,
-    welding_distance: OnceCell<Option<f64>>,
+    without_welding: OnceCell<Attempt>,
+    welding: OnceCell<Option<Welding>>,
     fins: OnceCell<Fins>,
 }
 
@@ -50,17 +52,31 @@ impl fmt::Display for Remedy {
 
 /// Options with which `convert` takes a mesh.
 pub struct Way {
-    repairs: Repairs,
+    pub repairs: Repairs,
     /// True if the mesh stays open, which is no repair.
     pub is_open: bool,
+}
+
+impl Way {
+    /// Returns the options as they are typed, without those that are on.
+    pub fn beyond(&self, on: Repairs) -> Vec<String> {
+        let on = on.words();
+        let mut words = self.words();
+        words.retain(|word| !on.contains(word));
+        words
+    }
+
+    fn words(&self) -> Vec<String> {
+        let mut words = self.repairs.words();
+        words.extend(self.is_open.then(|| "--open".into()));
+        words
+    }
 }
 
 impl fmt::Display for Way {
     /// Writes the options as they are typed.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut words = self.repairs.words();
-        words.extend(self.is_open.then(|| "--open".into()));
-        f.write_str(&words.join(" "))
+        f.write_str(&self.words().join(" "))
     }
 }
 
@@ -95,8 +111,8 @@ impl<'a> Refused<'a> {
     /// Takes a mesh that was read from `path` with `repairs`.
     pub fn new(mesh: &'a Mesh, path: &Path, repairs: Repairs) -> Self {
         let format = Format::from_path(path).ok();
-        let (welding_distance, fins) = (OnceCell::new(), OnceCell::new());
-        Self { mesh, format, repairs, welding_distance, fins }
+        let (without_welding, welding) = (OnceCell::new(), OnceCell::new());
+        Self { mesh, format, repairs, without_welding, welding, fins: OnceCell::new() }
     }
 
     /// Returns true if the file does not announce how much is in it: its end may be missing.
@@ -114,18 +130,23 @@ impl<'a> Refused<'a> {
         {
             return general(Law::DistinctFaces, self.repairs);
         }
+        if let Law::AtMostTwoFaces | Law::OneFan = violation.law
+            && let Some(welding) = self.welding()
+            && !welding.attempt.breaks(violation.law)
+        {
+            let (option, joins) = (welding.option(), welding.joins());
+            return Remedy::option(format!("{option} mends it: {joins}"));
+        }
         match violation.law {
             law @ Law::NotEmpty if self.may_be_cut_off() => {
                 Remedy::other(format!("{}; {CUT_OFF}", general(law, self.repairs)))
             }
             Law::Triangle => self.for_corners(),
-            Law::NoBoundary => match self.welding_distance() {
-                Some(0.0) => {
-                    Remedy::option("--weld closes it: it joins vertices at equal coordinates")
+            Law::NoBoundary => match self.welding() {
+                Some(welding) if welding.leaves_holes() => {
+                    Remedy::option(format!("{welding}; then {}", self.close_holes()))
                 }
-                Some(distance) => Remedy::option(format!(
-                    "--weld {distance:e} closes it: it joins vertices that near"
-                )),
+                Some(welding) => Remedy::option(welding.to_string()),
                 None => self.for_holes(violation.element),
             },
             law @ Law::OneFan if self.format == Some(Format::Stl) => {
@@ -138,14 +159,14 @@ impl<'a> Refused<'a> {
         }
     }
 
-    /// Returns what helps against the first of the laws of `survey`, and whether an option that it
-    /// names does not suffice.
-    pub fn full_remedy(&self, survey: &Survey) -> String {
-        let remedy = self.remedy(&survey.violations[0]);
+    /// Returns what helps against the first broken law, and whether an option that it names does
+    /// not suffice.
+    pub fn full_remedy(&self, first: &Violation) -> String {
+        let remedy = self.remedy(first);
         if !remedy.is_option {
             return remedy.to_string();
         }
-        match self.options(survey) {
+        match self.options() {
             None => format!("{remedy}, but no options suffice for this mesh"),
             Some(way) if way.repairs.number() > self.repairs.number() + 1 => {
                 format!("{remedy}, but more options are needed")
@@ -194,13 +215,8 @@ impl<'a> Refused<'a> {
         there.clean().duplicate_faces > 0
     }
 
-    /// Returns what helps against holes that welding does not close. Vertices without faces are
-    /// the only sign that the file had more of them.
+    /// Returns what helps against holes that welding does not make fewer.
     fn for_holes(&self, first: Element) -> Remedy {
-        if self.repairs.reading.weld.is_none() && welding_closes_seams(self.mesh) {
-            let words = "--weld closes the seams; close the holes that are left";
-            return Remedy::option(words);
-        }
         if let Element::Edge(a, b) = first
             && let Some(Junction { vertex, edge: [from, to] }) = Junction::near(self.mesh, [a, b])
         {
@@ -210,6 +226,12 @@ impl<'a> Refused<'a> {
                 Element::Edge(from, to)
             ));
         }
+        Remedy::other(self.close_holes())
+    }
+
+    /// Returns the advice to close holes. Vertices without faces are the only sign that the file
+    /// had more of them.
+    fn close_holes(&self) -> String {
         let mut has_face = vec![false; self.mesh.positions().len()];
         for &v in self.mesh.faces().corners() {
             if let Some(has_face) = has_face.get_mut(v as usize) {
@@ -218,10 +240,10 @@ impl<'a> Refused<'a> {
         }
         let idle = has_face.iter().filter(|&&has_face| !has_face).count();
         if idle == 0 || !self.may_be_cut_off() {
-            return Remedy::other("close the holes");
+            return "close the holes".into();
         }
         let idle = counted(idle, "vertex is", "vertices are");
-        Remedy::other(format!("close the holes; {idle} in no face: {CUT_OFF}"))
+        format!("close the holes; {idle} in no face: {CUT_OFF}")
     }
 
     /// Returns what helps against the first face that is no triangle.
@@ -243,122 +265,38 @@ impl<'a> Refused<'a> {
         }
     }
 
-    /// Returns the least distance for `--weld` that closes the mesh and loses slivers at most: 0,
-    /// or a power of ten up to a thousandth of the size of the mesh. None if there is none beyond
-    /// that of a `--weld` that is on, or there are no holes. A few times the cost of a survey.
-    pub fn welding_distance(&self) -> Option<f64> {
-        *self.welding_distance.get_or_init(|| self.distance_that_closes(self.mesh))
+    /// Returns the least distance for `--weld` that closes the mesh, if there is one.
+    pub fn closing_distance(&self) -> Option<f64> {
+        self.welding().filter(|welding| welding.attempt.closes).map(|welding| welding.distance)
     }
 
-    fn distance_that_closes(&self, mesh: &Mesh) -> Option<f64> {
-        let rim = rim(mesh);
-        if rim.is_empty() {
-            return None;
-        }
-        let exponent = size(mesh).log10().floor();
-        let steps =
-            if exponent.is_finite() { exponent as i32 - 9..exponent as i32 - 2 } else { 0..0 };
-        let power = |exponent: i32| format!("1e{exponent}").parse().unwrap_or(f64::INFINITY);
-        let on = self.repairs.reading.weld;
-        let mut distances = std::iter::once(0.0).chain(steps.map(power));
-        distances.find(|&distance| {
-            on.is_none_or(|on| distance > on) && is_closed_by(distance, mesh, &rim)
-        })
+    /// Returns the welding that leaves the fewest boundary edges, see [`Welding::find`].
+    pub fn welding(&self) -> Option<&Welding> {
+        let find = || Welding::find(self.mesh, self.repairs, self.without_welding());
+        self.welding.get_or_init(find).as_ref()
+    }
+
+    /// Returns the welding if `convert` takes the mesh after it.
+    pub fn welding_to_a_surface(&self) -> Option<&Welding> {
+        self.welding().filter(|welding| welding.attempt.is_surface())
+    }
+
+    /// Returns the mesh after all repairs but another welding.
+    fn without_welding(&self) -> &Attempt {
+        self.without_welding.get_or_init(|| Attempt::new(self.mesh, self.repairs, None))
     }
 
     /// Returns the options with which `convert` takes the mesh, those that are on included; none if
-    /// there are none. The mesh breaks the laws of `survey`.
-    pub fn options(&self, survey: &Survey) -> Option<Way> {
-        let breaks = |law| survey.violations.iter().any(|violation| violation.law == law);
-        let mut way = self.repairs;
-        let faces = self.mesh.faces();
-        way.clean |= breaks(Law::DistinctCorners) || breaks(Law::DistinctFaces);
-        way.clean |= faces.iter().any(|face| face.len() < 3);
-        way.triangulate |= faces.iter().any(|face| face.len() > 3);
-        let mut mended = Mesh::new(self.mesh.positions().to_vec(), faces.clone());
-        if breaks(Law::NoBoundary) {
-            let distance = match way.clean && mended.clean() != Cleaned::default() {
-                true => self.distance_that_closes(&mended),
-                false => self.welding_distance(),
-            };
-            let seams = || welding_closes_seams(&mended).then_some(0.0);
-            way.reading.weld = distance.or(way.reading.weld).or_else(seams);
-        }
-        if let Some(distance) = way.reading.weld {
-            mended.weld(distance);
-        }
-        input::repair(Path::new(""), &mut mended, way).ok()?;
-        // Where edges have too many faces, only now is known which faces disagree.
-        let violations = Survey::new(&mended).violations;
-        way.orient |= violations.iter().any(|broken| broken.law == Law::ConsistentOrientation);
-        let is_open = match input::build_oriented(&mut mended, way) {
-            Ok(_) => false,
-            Err(survey) if survey.is_open_surface(way.orient) => true,
-            Err(_) => return None,
-        };
-        Some(Way { repairs: way, is_open })
+    /// there are none. They have been tried.
+    pub fn options(&self) -> Option<Way> {
+        let welded = self.welding().map(|welding| &welding.attempt);
+        let without = self.without_welding();
+        // With nothing to pair it is no way, if welding is one to go on from.
+        let without = Some(without).filter(|without| welded.is_none() || !without.is_apart());
+        let mut attempts = [welded, without].into_iter().flatten();
+        let attempt = attempts.find(|attempt| attempt.is_surface())?;
+        Some(Way { repairs: attempt.repairs, is_open: attempt.is_open() })
     }
-}
-
-/// Returns true if welding closes the mesh. `rim` are the vertices of its boundary.
-fn is_closed_by(distance: f64, mesh: &Mesh, rim: &[[f64; 3]]) -> bool {
-    // Vertices of the rim must meet, all but the two ends of a slit. If none do, that is soon
-    // known.
-    let mut points = Mesh::new(rim.to_vec(), Faces::default());
-    if points.weld(distance).merged_vertices == 0 {
-        return false;
-    }
-    let mut welded = Mesh::new(mesh.positions().to_vec(), mesh.faces().clone());
-    let dropped = welded.weld(distance).dropped_faces;
-    (dropped == 0 || only_slivers_collapse(distance, mesh)) && Survey::new(&welded).closed
-}
-
-/// Returns true if vertices at equal coordinates are those of seams: joined, they leave fewer
-/// boundary edges, and of an open surface. About the cost of a survey.
-fn welding_closes_seams(mesh: &Mesh) -> bool {
-    let mut welded = Mesh::new(mesh.positions().to_vec(), mesh.faces().clone());
-    let outcome = welded.weld(0.0);
-    outcome.merged_vertices > 0
-        && outcome.dropped_faces == 0
-        && rim_edges(&welded).len() < rim_edges(mesh).len()
-        && Survey::new(&welded).is_open_surface(true)
-}
-
-/// Returns true if every face with a side that welding shortens to nothing has sides that are
-/// longer by far.
-fn only_slivers_collapse(distance: f64, mesh: &Mesh) -> bool {
-    /// The least length of the longest side of a sliver, by its shortest.
-    const SLIVER: f64 = 100.0;
-    mesh.faces().iter().all(|face| {
-        let next = face.iter().cycle().skip(1);
-        let sides = face.iter().zip(next).filter(|(a, b)| a != b);
-        let (shortest, longest) = sides
-            .filter_map(|(&a, &b)| side_length(mesh, [a, b]))
-            .fold((f64::INFINITY, 0.0_f64), |(least, most), x| (least.min(x), most.max(x)));
-        shortest > distance || longest >= SLIVER * distance
-    })
-}
-
-fn side_length(mesh: &Mesh, ends: [u32; 2]) -> Option<f64> {
-    let [a, b] = ends.map(|v| mesh.positions().get(v as usize));
-    let squares = a?.iter().zip(b?).map(|(a, b)| (a - b) * (a - b));
-    Some(squares.sum::<f64>().sqrt())
-}
-
-/// Returns the vertices of edges that belong to one face only.
-fn rim(mesh: &Mesh) -> Vec<[f64; 3]> {
-    let vertices: BTreeSet<u32> = rim_edges(mesh).into_iter().flatten().collect();
-    let positions = mesh.positions();
-    vertices.iter().filter_map(|&v| positions.get(v as usize).copied()).collect()
-}
-
-/// Returns the longest side of the box round the mesh.
-fn size(mesh: &Mesh) -> f64 {
-    let side = |axis: usize| {
-        let all = || mesh.positions().iter().map(|at| at[axis]).filter(|x| x.is_finite());
-        all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
-    };
-    (0..3).map(side).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -61,7 +61,7 @@ fn described(survey: &Survey) -> Value {
         "edges": survey.edges,
         "triangles": survey.triangles,
         "euler_characteristic": survey.euler_characteristic,
-        "genus": survey.genus(),
+        "genus": survey.filled_genus(),
         "non_orientable_genus": survey.non_orientable_genus(),
         "components": survey.components,
         "boundary_loops": survey.boundary_loops,

@@ -65,6 +65,18 @@ def test_remedies_that_name_a_function_help() -> None:
         assert np.array_equal(triquad.clean(broken), triangles)
 
 
+def test_the_genus_of_a_survey_is_that_with_holes_filled() -> None:
+    vertices, triangles = torus(5, 6)
+    for removed in ([], [7], [7, 40]):
+        found = triquad.survey(vertices, np.delete(triangles, removed, axis=0))
+        assert (found.genus, found.boundary_loops) == (1, len(removed))
+    strip = [[i, (i + 1) % 5, (i + 2) % 5] for i in range(5)]
+    found = triquad.survey(vertices, strip)
+    assert (found.genus, found.non_orientable_genus) == (None, 1)
+    found = triquad.survey(vertices, np.vstack((triangles, triangles[:1])))
+    assert (found.genus, found.non_orientable_genus) == (None, None)
+
+
 def test_turned_faces_are_turned_back_by_the_survey() -> None:
     vertices, triangles = torus(5, 6)
     triangles[[3, 8]] = triangles[[3, 8], ::-1]

@@ -79,7 +79,8 @@ class Survey:
     triangles: int
     euler_characteristic: int
     genus: int | None
-    """Genus, summed over the components; None if the mesh is no closed, two-sided surface."""
+    """Genus with holes filled, summed over the two-sided components; None if the mesh is not one of
+    surfaces, or some are one-sided and no other has handles."""
     non_orientable_genus: int | None
     """Cross-caps, if the mesh is one of surfaces of which some are one-sided."""
     components: int

@@ -230,6 +230,10 @@ impl<'a> Converter<'a> {
             return Ok(Built::Closed(Triangulation::build(mesh)?));
         }
         if !self.open || !survey.is_open_surface(self.orient) {
+            if self.orient && !survey.faces_to_flip.is_empty() {
+                survey.orient(mesh.to_mut());
+                *survey = Survey::new(mesh);
+            }
             // What is allowed is no reason, so it comes last.
             let is_allowed = |law| self.open && matches!(law, Law::NoBoundary | Law::Orientable);
             survey.violations.sort_by_key(|violation| is_allowed(violation.law));

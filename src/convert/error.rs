@@ -15,8 +15,9 @@ use crate::triangulation::Survey;
 #[derive(Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConvertError {
-    /// The input is no triangulation of closed surfaces; the survey has every law that it breaks,
-    /// those that [`Converter::open`](super::Converter::open) allows last.
+    /// The input is no triangulation of closed surfaces; the survey has every law that it breaks
+    /// after [`Converter::orient`](super::Converter::orient), those that
+    /// [`Converter::open`](super::Converter::open) allows last.
     #[error(transparent)]
     Refused(#[from] Box<Survey>),
     /// The result failed its check: a mistake of this library.

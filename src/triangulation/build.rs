@@ -33,14 +33,13 @@ impl Triangulation {
         })
     }
 
-    /// Flips faces of `list` if their orientation is all that is wrong, and builds like
-    /// [`Triangulation::build`].
+    /// Flips faces of `list` until neighbours agree, and builds like [`Triangulation::build`].
     ///
     /// # Errors
-    /// As for [`Triangulation::build`].
+    /// As for [`Triangulation::build`]. The survey is that of `list` with its faces flipped.
     pub fn build_oriented(list: &mut Mesh) -> Result<Self, Box<Survey>> {
         match Self::build(list) {
-            Err(survey) if survey.only_orientation_is_wrong() => {
+            Err(survey) if !survey.faces_to_flip.is_empty() => {
                 survey.orient(list);
                 Self::build(list)
             }

@@ -75,34 +75,36 @@ mod tests {
         Survey::new(&Mesh::from_triangles(surface.positions.clone(), surface.triangles.clone()))
     }
 
-    /// Genus, non-orientable genus, handles of two-sided and cross-caps of one-sided components.
-    fn genera(surface: &Surface) -> [Option<usize>; 4] {
+    /// Genus, that with holes filled, non-orientable genus, handles of two-sided and cross-caps of
+    /// one-sided components.
+    fn genera(surface: &Surface) -> [Option<usize>; 5] {
         let survey = survey(surface);
-        [survey.genus(), survey.non_orientable_genus(), survey.handles, survey.cross_caps]
+        let genus = [survey.genus(), survey.filled_genus(), survey.non_orientable_genus()];
+        [genus[0], genus[1], genus[2], survey.handles, survey.cross_caps]
     }
 
     #[test]
     fn classical_surfaces_have_their_genera() {
         let [plane, bottle] = [classic::projective_plane(), classic::klein_bottle(5, 4)];
-        assert_eq!(genera(&plane), [None, Some(1), Some(0), Some(1)]);
-        assert_eq!(genera(&bottle), [None, Some(2), Some(0), Some(2)]);
-        assert_eq!(genera(&classic::moebius_strip(7)), [None, Some(1), Some(0), Some(1)]);
-        assert_eq!(genera(&grids::torus(5, 4)), [Some(1), None, Some(1), Some(0)]);
+        assert_eq!(genera(&plane), [None, None, Some(1), Some(0), Some(1)]);
+        assert_eq!(genera(&bottle), [None, None, Some(2), Some(0), Some(2)]);
+        assert_eq!(genera(&classic::moebius_strip(7)), [None, None, Some(1), Some(0), Some(1)]);
+        assert_eq!(genera(&grids::torus(5, 4)), [Some(1), Some(1), None, Some(1), Some(0)]);
     }
 
     #[test]
     fn components_and_holes_are_counted_one_by_one() {
         let mut three = random_of(3, 60, Mix::Balanced, 1);
         three.triangles.truncate(three.triangles.len() - 1);
-        assert_eq!(genera(&three), [None, None, Some(3), Some(0)]);
+        assert_eq!(genera(&three), [None, Some(3), None, Some(3), Some(0)]);
         let mixed = beside(&beside(&three, &classic::klein_bottle(5, 4)), &grids::torus(5, 4));
-        assert_eq!(genera(&mixed), [None, Some(2), Some(4), Some(2)]);
+        assert_eq!(genera(&mixed), [None, Some(4), Some(2), Some(4), Some(2)]);
     }
 
     #[test]
     fn what_is_no_surface_has_no_genus() {
         let mut torn = grids::torus(5, 4);
         torn.triangles.push(torn.triangles[0]);
-        assert_eq!(genera(&torn), [None; 4]);
+        assert_eq!(genera(&torn), [None; 5]);
     }
 }

@@ -116,6 +116,12 @@ impl Survey {
         self.handles.filter(|_| self.closed && self.orientable)
     }
 
+    /// Genus with holes filled, summed over the two-sided components, if the mesh is one of
+    /// surfaces. None if some are one-sided and no other has handles.
+    pub fn filled_genus(&self) -> Option<usize> {
+        self.handles.filter(|&handles| self.orientable || handles > 0)
+    }
+
     /// Non-orientable genus: the number of cross-caps, if the mesh is one of surfaces of which some
     /// are one-sided. 1 for the projective plane, 2 for the Klein bottle.
     pub fn non_orientable_genus(&self) -> Option<usize> {

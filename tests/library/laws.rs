@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use proptest::prelude::*;
 use triquad::mesh::{Faces, Mesh};
-use triquad::{Element, Law, Survey, Triangulation};
+use triquad::{ConvertError, Converter, Element, Law, Survey, Triangulation};
 use triquad_generators::{Surface, classic, grids};
 
 fn laws(list: &Mesh) -> Vec<Law> {
@@ -250,6 +250,28 @@ fn a_large_irregular_mesh_is_oriented_with_the_fewest_flips() {
     let whole = crate::common::face_list(&grids::torus(40, 30));
     assert_eq!((list.positions(), list.faces()), (whole.positions(), whole.faces()));
     assert_ne!(list.repairs(), whole.repairs(), "faces that were turned are counted");
+}
+
+/// Flipping faces mends one law of several.
+#[test]
+fn a_refusal_after_flipping_faces_is_about_the_flipped_mesh() {
+    let mut list = crate::common::face_list(&grids::torus(5, 4));
+    list.reverse_face(7);
+    let corners: Vec<[u32; 3]> = list.faces().iter().map(|f| [f[0], f[1], f[2]]).collect();
+    let fin = [corners[20][0], corners[20][1], 20];
+    let positions = [list.positions(), &[[9.0; 3]]].concat();
+    let list = Mesh::from_triangles(positions, [&corners[..], &[fin]].concat());
+    let given = laws(&list);
+    assert!(given.contains(&Law::AtMostTwoFaces) && given.contains(&Law::ConsistentOrientation));
+    let mut flipped = list.clone();
+    let survey = Triangulation::build_oriented(&mut flipped).unwrap_err();
+    assert_eq!(*survey, Survey::new(&flipped));
+    assert_eq!(survey.violations.len(), given.len() - 1);
+    for open in [false, true] {
+        let error = Converter::new().orient(true).open(open).run(&list).unwrap_err();
+        let ConvertError::Refused(refused) = error else { panic!("{error}") };
+        assert_eq!(refused.violations.len(), survey.violations.len(), "open: {open}");
+    }
 }
 
 /// A change to a valid mesh and the first law that it breaks.

@@ -231,3 +231,29 @@ fn all_algorithms_are_compared_in_a_table() {
     assert!(costs.iter().all(|&cost| cost >= costs[0]), "{table}");
     assert!(costs.iter().any(|&cost| cost > costs[0]), "{table}");
 }
+
+/// Its row alone has another aim than the least cost.
+#[test]
+fn the_table_says_what_only_best_does_and_what_it_costs() {
+    let (workshop, _) = workshop();
+    let cost = |options: &str| {
+        let stats = workshop.json(&format!("convert in.obj {options} --stats -"), 0);
+        stats["total_cost"].to_string()
+    };
+    let [default, shape] = ["", "--cost shape"].map(cost);
+    assert_ne!(default, cost("--keep-edges keep.txt"));
+    let (keeps, leaves) = ("only best keeps edges", "only best leaves triangles at a price");
+    for (options, deeds, without, cost) in [
+        ("--keep-sharp 5", keeps, "--keep-sharp", &default),
+        ("--keep-sharp 5 --strict", keeps, "--keep-sharp and --strict", &default),
+        ("--keep-edges keep.txt --cost shape", keeps, "--keep-edges", &shape),
+        ("--keep-seams --keep-sharp 5", keeps, "--keep-sharp and --keep-seams", &default),
+        ("--quad-dominant 0.01", leaves, "--quad-dominant", &default),
+    ] {
+        let table = workshop.succeed(&format!("convert in.obj --compare {options}"));
+        let expected = format!("{deeds}; without {without} its cost is {cost}");
+        assert_eq!(table.lines().last(), Some(&expected[..]), "{table}");
+    }
+    let table = workshop.succeed("convert in.obj --compare --cost shape");
+    assert!(!table.contains("only best"), "{table}");
+}

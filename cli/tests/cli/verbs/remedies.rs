@@ -1,5 +1,7 @@
 //! What refusals advise: it is not on already, and it works when pasted.
 
+use triquad_generators::{Surface, grids};
+
 use super::meshes::{CUBE, TETRAHEDRON, tetrahedron_of};
 use crate::workshop::{Workshop, assert_contains, finish};
 
@@ -50,7 +52,12 @@ fn cases() -> Vec<Case> {
         (slit(2e-6), "", "--weld 1e-5 closes it", Some("--weld 1e-5")),
         (open.clone(), "", "close the holes", Some("--open")),
         (open, "--weld", "close the holes", Some("--weld --open")),
-        (open_soup(), "", "--weld closes the seams; close the holes", Some("--weld --open")),
+        (
+            open_soup(),
+            "",
+            "--weld joins 8 vertices and leaves 3 of 9 boundary edges; then close",
+            Some("--weld --open"),
+        ),
         (open_soup(), "--weld", "close the holes", Some("--weld --open")),
         (CUBE.into(), "", "--triangulate cuts", Some("--triangulate")),
         (CUBE.into(), "--orient", "--triangulate cuts", Some("--triangulate --orient")),
@@ -114,6 +121,108 @@ fn no_remedy_is_on_already_and_the_options_that_info_names_work() {
         let code = if closed == way { 0 } else { 2 };
         assert_eq!(workshop.run(&format!("info in.obj {closed}")).code, Some(code), "{what}");
     }
+}
+
+/// A torus of 120 faces and 180 edges without face `hole`, every corner its own vertex, at most
+/// `noise` from its place.
+fn soup_of_torus(hole: usize, noise: f64) -> Surface {
+    let mut torus = torus_without(hole);
+    let corners = torus.triangles.as_flattened().iter().enumerate();
+    let place = |(at, &v): (usize, &u32)| {
+        let [x, y, z] = torus.positions[v as usize];
+        [x + noise * (at % 3) as f64 / 3.0, y, z]
+    };
+    torus.positions = corners.map(place).collect();
+    torus.triangles =
+        (0..torus.triangles.len() as u32).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
+    torus
+}
+
+fn torus_without(hole: usize) -> Surface {
+    let mut torus = grids::torus(10, 6);
+    torus.triangles.remove(hole);
+    torus
+}
+
+/// The torus without face `hole`, its first ring of vertices there twice.
+fn torus_with_seam(hole: usize) -> Surface {
+    let mut torus = torus_without(hole);
+    torus.positions.extend_from_within(..6);
+    let last = torus.triangles.iter_mut().skip(107);
+    last.flatten().filter(|v| **v < 6).for_each(|v| *v += 60);
+    torus
+}
+
+#[test]
+fn welding_that_leaves_fewer_boundary_edges_is_advised_and_works() {
+    let workshop = Workshop::new();
+    let loose = |turn: bool| {
+        let mut torus = torus_without(50);
+        let first = torus.triangles[0];
+        torus.positions.extend(first.map(|v| torus.positions[v as usize]));
+        torus.triangles[0] = if turn { [61, 60, 62] } else { [60, 61, 62] };
+        torus
+    };
+    for (name, mesh, edges, joined, option) in [
+        ("soup", soup_of_torus(119, 0.0), 357, 297, "--weld"),
+        ("noise", soup_of_torus(119, 1e-7), 357, 297, "--weld 1e-7"),
+        ("seam", torus_with_seam(50), 15, 6, "--weld"),
+        ("bow-tie", torus_with_seam(119), 15, 6, "--weld"),
+        ("loose", loose(false), 9, 3, "--weld"),
+        ("turned", loose(true), 9, 3, "--weld"),
+    ] {
+        workshop.put_surface("in.obj", &mesh);
+        let advice =
+            format!("{option} joins {joined} vertices and leaves 3 of {edges} boundary edges");
+        let run = workshop.run("info in.obj");
+        let stdout = String::from_utf8(run.stdout).unwrap();
+        let both = format!("{advice}; then close the holes; or keep them with --open");
+        assert_contains(&stdout, &[&both], name);
+        assert!(!stdout.contains("a vertex of its own"), "{stdout}");
+        let orient = if name == "turned" { " --orient" } else { "" };
+        let way = format!("{option}{orient} --open");
+        assert_contains(&run.stderr, &[&format!("'triquad convert in.obj {way}'")], name);
+        let line = workshop.fail("convert in.obj", 2);
+        let told = [&advice[..], &format!("; {way} convert it and leave over as few")];
+        assert_contains(&line, &told, name);
+        let line = workshop.fail("irreducible in.obj", 2);
+        assert_contains(&line, &[&format!("only 'triquad convert in.obj {way}'")], name);
+        let stats = workshop.json(&format!("convert in.obj {way} -o out.obj --stats -"), 0);
+        assert_eq!(stats["leftover_triangles"], 1, "{name}");
+        workshop.succeed(&format!("check out.obj --against in.obj {way}"));
+        // Without the welding a conversion says what it misses.
+        let run = workshop.run(&format!("convert in.obj{orient} --open"));
+        assert_eq!(run.code, Some(if name == "bow-tie" { 2 } else { 0 }), "{run:?}");
+        let note = if name == "bow-tie" { "--weld mends it" } else { &format!("note: {advice}\n") };
+        assert_contains(&run.stderr, &[note], name);
+    }
+}
+
+#[test]
+fn welding_that_does_not_help_is_not_advised() {
+    let workshop = Workshop::new();
+    workshop.put_surface("in.obj", &torus_without(50));
+    assert!(!workshop.fail("convert in.obj", 2).contains("--weld"));
+    let run = workshop.run("convert in.obj --open");
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+    // Two solids that meet at a vertex, as loose triangles: without welding nothing is paired.
+    let mut solids = soup(0.0);
+    for line in soup(0.0).lines() {
+        let words: Vec<&str> = line.split(' ').collect();
+        solids += &match words[0] {
+            "v" => format!("v -{} -{} -{}\n", words[1], words[2], words[3]),
+            _ => {
+                words[1..].iter().fold("f".into(), |face, v| {
+                    format!("{face} {}", v.parse::<usize>().unwrap() + 12)
+                }) + "\n"
+            }
+        };
+    }
+    workshop.put("in.obj", solids);
+    let line = workshop.fail("convert in.obj", 2);
+    let advice = "--weld closes it: it joins vertices at equal coordinates; it then breaks";
+    assert_contains(&line, &[advice, "several-fans, but no options suffice"], "solids");
+    assert_contains(&workshop.run("info in.obj").stderr, &["cannot be converted"], "solids");
 }
 
 #[test]
@@ -284,6 +393,81 @@ fn other_laws_are_as_many_as_info_lists() {
     }
     let line = workshop.fail("convert in.obj --open", 2);
     assert_contains(&line, &["[several-fans]"], "what is allowed is not the reason");
+}
+
+/// What `check` takes is no reason, and its options are.
+#[test]
+fn check_names_the_repairs_that_convert_had() {
+    let workshop = Workshop::new();
+    let mut turned = torus_without(50);
+    turned.triangles[70].reverse();
+    for (name, mesh, law, remedy, options) in [
+        ("turned", turned, "inconsistent-orientation", "--orient flips faces", "--orient"),
+        ("bow-tie", torus_with_seam(119), "several-fans", "--weld mends it", "--weld"),
+        ("seam", torus_with_seam(50), "boundary-edge", "--weld --open allow it", "--weld"),
+    ] {
+        workshop.put_surface("in.obj", &mesh);
+        workshop.succeed(&format!("convert in.obj {options} --open -o out.obj"));
+        let line = workshop.fail("check out.obj --against in.obj", 2);
+        assert_contains(&line, &[&format!("[{law}]"), remedy], name);
+        workshop.succeed(&format!("check out.obj --against in.obj {options}"));
+    }
+    let line = workshop.fail("check out.obj --against in.obj --open", 1);
+    let told = "the quad mesh has 60 vertices, the triangle mesh 66; with --weld it has as many";
+    assert_contains(&line, &[told], "--open");
+}
+
+/// What is counted is told apart from what is not.
+#[test]
+fn a_mesh_without_boundary_that_is_not_closed_says_why() {
+    let workshop = Workshop::new();
+    let only = "v 0 0 0\nv 1 0 0\nf 1 1 2\n".to_owned();
+    for (mesh, closed, faces) in [
+        (only, "no: no face has three corners of its own", "1 (1 triangle), 1 in no other count"),
+        (format!("{TETRAHEDRON}f 1 1 2\nf 2 3 3\n"), "yes", "6 (6 triangles), 2 in no other count"),
+        (
+            format!("{TETRAHEDRON}f 1 2 4\n"),
+            "no: some edges belong to more than two faces",
+            "5 (5 triangles)\n",
+        ),
+        (TETRAHEDRON[..TETRAHEDRON.len() - 8].to_owned(), "no\n", "3 (3 triangles)\n"),
+    ] {
+        workshop.put("in.obj", mesh);
+        let stdout = String::from_utf8(workshop.run("info in.obj").stdout).unwrap();
+        let rows = [
+            format!("\n  closed                 {closed}"),
+            format!("\n  faces                  {faces}"),
+        ];
+        assert_contains(&stdout, &[&rows[0], &rows[1]], closed);
+    }
+}
+
+/// A face too many at an edge, and a face that `--orient` flips.
+#[test]
+fn other_laws_are_those_after_faces_are_flipped() {
+    let workshop = Workshop::new();
+    let mut torus = grids::torus(10, 6);
+    torus.triangles[70].reverse();
+    let [a, b, _] = torus.triangles[0];
+    torus.triangles.push([a, b, 60]);
+    torus.positions.push([9.0; 3]);
+    workshop.put_surface("in.obj", &torus);
+    for options in ["--orient", "--weld --orient"] {
+        let info = format!("info in.obj {options}");
+        let laws =
+            workshop.json(&format!("{info} --json"), 2)["violations"].as_array().unwrap().len();
+        assert_eq!(laws, 3);
+        let others = format!("(and 2 other laws are broken, see 'triquad {info}')");
+        for verb in [
+            "convert in.obj",
+            "convert in.obj --open",
+            "irreducible in.obj",
+            "check in.obj --against in.obj",
+            "simplify in.obj --vertices 20",
+        ] {
+            assert_contains(&workshop.fail(&format!("{verb} {options}"), 2), &[&others], verb);
+        }
+    }
 }
 
 #[test]
