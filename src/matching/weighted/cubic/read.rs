@@ -15,7 +15,7 @@ pub(super) fn open_rows<N: Number>(
     problem: &impl CubicProblem,
     places: &Places,
 ) -> Result<Vec<Row<N>>, Refusal> {
-    read(problem, places, |_, _, neighbour| Some(places.place_of(neighbour)))
+    read(problem, places, |_, _, neighbour, _| Some(places.place_of(neighbour)))
         .map(|rows| rows.expect("every neighbour has a place"))
 }
 
@@ -29,23 +29,22 @@ pub(super) fn joined_rows<N: Number>(
     if count == 0 || problem.backs(0).is_none() {
         return Ok(None);
     }
-    read(problem, places, |node, side, neighbour| {
+    read(problem, places, |node, side, neighbour, cost| {
         let back = problem.backs(node)?[side];
         if neighbour >= count || back > 2 {
             return None;
         }
-        let [own, theirs] =
-            [(node, side), (neighbour, back.into())].map(|(node, side)| problem.costs(node)[side]);
-        (own == theirs).then(|| 4 * places.place_of(neighbour) + u32::from(back))
+        let agrees = problem.costs(neighbour)[usize::from(back)] == cost;
+        agrees.then(|| 4 * places.place_of(neighbour) + u32::from(back))
     })
 }
 
-/// Reads all nodes. `twin` returns what stands for a twin, of a node, its side and the neighbour;
-/// if it has nothing once, there are no rows.
+/// Reads all nodes. `twin` returns what stands for a twin, of a node, its side, the neighbour and the
+/// cost; if it has nothing once, there are no rows.
 fn read<N: Number>(
     problem: &impl CubicProblem,
     places: &Places,
-    twin: impl Fn(u32, usize, u32) -> Option<u32> + Sync + Send,
+    twin: impl Fn(u32, usize, u32, i128) -> Option<u32> + Sync + Send,
 ) -> Result<Option<Vec<Row<N>>>, Refusal> {
     let [is_too_narrow, lacks_twin] = [const { AtomicBool::new(false) }; 2];
     let double = |cost| {
@@ -67,7 +66,7 @@ fn read<N: Number>(
         let mut least = problem.price(node).map(&double);
         for (side, neighbour) in neighbours.into_iter().enumerate() {
             if neighbour != NO_NODE && neighbour != node {
-                row.twins[side] = twin(node, side, neighbour).unwrap_or_else(|| {
+                row.twins[side] = twin(node, side, neighbour, costs[side]).unwrap_or_else(|| {
                     lacks_twin.store(true, Ordering::Relaxed);
                     NONE
                 });
