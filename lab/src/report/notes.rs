@@ -61,8 +61,9 @@ impl Note {
                 );
             }
             Self::StandIn => {
-                "† A stand-in has the vertex count and genus of the paper's scan, not its shape or \
-                 connectivity: compare orders of magnitude, not digits."
+                "† At full scale a stand-in has the vertex count and genus of the paper's scan; \
+                 its shape and connectivity are other ones. Compare orders of magnitude, not \
+                 digits."
             }
             Self::Extrapolated => {
                 "* Extrapolated: the augmentation was stopped after some of its paths. Its time is \

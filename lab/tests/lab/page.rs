@@ -450,6 +450,11 @@ fn stand_ins_and_smaller_scales_are_marked() {
     let page = page_of(&results);
     assert!(page.contains("botijo†") && page.contains("Scale demo: the meshes are smaller"));
     assert!(!page.contains("▲") && !page.contains("▼"), "numbers of other sizes are compared");
+    for same in page.match_indices("genus of the paper&#x27;s scan") {
+        let sentence = page[..same.0].rsplit("† ").next().unwrap();
+        assert!(sentence.starts_with("At full scale a stand-in has"), "{sentence}");
+    }
+    assert!(page.contains("At full scale a stand-in has the vertex count"));
     assert!(page_of(&both_augmentations()).contains("= equal"));
 }
 
