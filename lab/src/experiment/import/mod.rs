@@ -66,6 +66,8 @@ pub struct Imported {
     pub renamed: Option<(&'static str, &'static str)>,
     /// Meshes in the words of the file, and those of the second paper that they are taken for.
     pub renamed_meshes: Vec<(String, String)>,
+    /// Meshes that the papers do not have, and those of theirs whose names are but a slip away.
+    pub near_meshes: Vec<(String, String)>,
     /// Parts of the total that runs lack.
     pub missing_parts: Vec<MissingPart>,
 }
@@ -163,6 +165,7 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
         rounded: Vec::new(),
         renamed,
         renamed_meshes: Vec::new(),
+        near_meshes: Vec::new(),
         missing_parts: Vec::new(),
     };
     for row in rows {
@@ -178,7 +181,8 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
 }
 
 impl Imported {
-    /// Notes a mesh of the second paper that the file calls as the first paper calls another.
+    /// Notes a mesh of the second paper that the file calls as the first paper calls another, and
+    /// one of somebody's own that is called nearly as a mesh of the papers.
     fn note_mesh(&mut self, row: &StringRecord, columns: &[String], record: &RunRecord) {
         let (Some(given), taken) = (cell(row, columns, "mesh"), &record.id.mesh.name) else {
             return;
@@ -186,6 +190,11 @@ impl Imported {
         let is_new = || self.renamed_meshes.iter().all(|(_, mesh)| mesh != taken);
         if taken.starts_with(SECOND_PAPER) && !starts_second_paper(given) && is_new() {
             self.renamed_meshes.push((given.to_owned(), taken.clone()));
+        }
+        let is_of_papers = paper::ALL.iter().any(|mesh| mesh.name == taken);
+        let is_known = is_of_papers || self.near_meshes.iter().any(|(name, _)| name == taken);
+        if let Some(near) = near_mesh(taken).filter(|_| !is_known) {
+            self.near_meshes.push((taken.clone(), near.to_owned()));
         }
     }
 
@@ -480,8 +489,7 @@ fn record(
     let mesh = find_mesh(&place.mesh, job.task(), settings);
     let mesh = match mesh {
         None if !settings.allows_other_meshes => {
-            let known = paper::ALL.iter().map(|mesh| mesh.name);
-            let nearest = slip_of(&place.mesh, known).map(String::from);
+            let nearest = near_mesh(&place.mesh).map(String::from);
             return Err(ImportError::UnknownMesh { line, name: place.mesh, nearest });
         }
         found => found,
@@ -533,6 +541,11 @@ fn find_mesh(name: &str, task: Task, settings: &ImportSettings) -> Option<PaperM
         Task::Convert => find(name),
         Task::Irreducible => of_second_paper().or_else(|| find(name)),
     }
+}
+
+/// Returns the mesh of the papers whose name is but a slip away. O(meshes).
+fn near_mesh(name: &str) -> Option<&'static str> {
+    slip_of(name, paper::ALL.iter().map(|mesh| mesh.name))
 }
 
 /// Returns the kind of a mesh that others have: the scans themselves, not stand-ins.
