@@ -512,7 +512,10 @@ fn record(
     Ok(RunRecord {
         key: hash_of_words(&key),
         id,
-        mesh_kind: place.mesh_kind.or(mesh.map(kind_of)).unwrap_or(MeshKind::Real),
+        mesh_kind: place
+            .mesh_kind
+            .or(mesh.map(|mesh| kind_of(mesh, settings.scale)))
+            .unwrap_or(MeshKind::Real),
         mesh_sha256: String::new(),
         repetition,
         seed: place.seed.unwrap_or(0),
@@ -548,10 +551,11 @@ fn near_mesh(name: &str) -> Option<&'static str> {
     slip_of(name, paper::ALL.iter().map(|mesh| mesh.name))
 }
 
-/// Returns the kind of a mesh that others have: the scans themselves, not stand-ins.
-fn kind_of(mesh: PaperMesh) -> MeshKind {
+/// Returns the kind of a mesh that others have: the scans themselves, and of smaller sizes the
+/// stand-ins, as there are no such scans.
+fn kind_of(mesh: PaperMesh, scale: Scale) -> MeshKind {
     match mesh.recipe {
-        Recipe::StandIn { .. } => MeshKind::Real,
+        Recipe::StandIn { .. } if scale == Scale::Full => MeshKind::Real,
         _ => mesh.kind(),
     }
 }
