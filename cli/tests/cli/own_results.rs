@@ -492,12 +492,24 @@ fn tables_are_compared_with_a_baseline_number_by_number() {
     let output = shop.run("compare one --baseline two");
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.contains("total_seconds") && said.contains("2.000"), "{said}");
+    let spread =
+        ["total_seconds_median", "total_seconds_upper_quartile", "unpaired_triangles_least"];
+    assert!(spread.iter().all(|number| said.contains(number)), "{said}");
     // Nothing was run for this table, and the numbers of runs alone are none to compare.
     assert!(!shop.path("one/baseline/table_6.csv").exists(), "{said}");
     let table = text(&shop, "one/baseline/table_4_3.csv");
     let row = table.lines().find(|line| line.contains(",total_seconds,")).unwrap();
     assert!(row.starts_with("botijo,PS,total_seconds,0.60000000,0.30000000,2.000,"), "{row}");
     assert!(shop.refused("compare one --baseline three").contains("three"));
+    // One run has no spread to compare.
+    std::fs::write(shop.path("rows.csv"), rows.replace("botijo,20,0.7\n", "")).unwrap();
+    shop.succeed("import rows.csv --algorithm ps --out single");
+    for (one, other) in [("one", "single"), ("single", "one")] {
+        let said = shop.run(&format!("compare {one} --baseline {other}")).stdout;
+        let said = String::from_utf8(said).unwrap();
+        assert!(said.contains("total_seconds"), "{said}");
+        assert!(spread.iter().all(|number| !said.contains(number)), "{said}");
+    }
 }
 
 #[test]
