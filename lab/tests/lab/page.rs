@@ -418,6 +418,11 @@ fn every_algorithm_is_defined_where_it_was_run() {
     let results = Results { records: vec![own_run("own")], ..Results::default() };
     let page = page_of(&results);
     assert!(page.contains("<dt>PS</dt><dd>Pulli and Segal") && !page.contains("<dt>SG</dt>"));
+    let is_defined = |word: &str| page.contains(&format!("<dt>{word}</dt>"));
+    assert!(["α", "tarjan", "file"].into_iter().all(is_defined));
+    // Nothing was contracted, no stand-in made.
+    let unused = ["ε", "ℓ (irreducible)", "d·d a test", "rebuild", "local", "stand-in"];
+    assert!(!unused.into_iter().any(is_defined));
 }
 
 #[test]

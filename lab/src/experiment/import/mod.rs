@@ -364,6 +364,9 @@ fn known_columns() -> Vec<String> {
     known.map(|name| (*name).to_owned()).collect()
 }
 
+/// Program of rows that name none.
+pub const UNNAMED_PROGRAM: &str = "external";
+
 /// Begins the names of the second paper's boxes.
 const SECOND_PAPER: &str = "ir-";
 
@@ -523,7 +526,7 @@ fn record(
         reason: plain(place.reason),
         parallel_jobs: place.parallel_jobs.unwrap_or(1),
         stopped_after_paths: place.stopped_after_paths,
-        program: place.program.map_or("external".into(), |program| plain(Some(program))),
+        program: place.program.map_or(UNNAMED_PROGRAM.into(), |program| plain(Some(program))),
         machine: machine_name(&settings.algorithm),
         command: plain(place.command),
         process_seconds: place.process_seconds,
