@@ -23,7 +23,8 @@ pub struct Selection {
     #[arg(value_parser = one_of(Scale::ALL, Scale::id))]
     scale: Scale,
     /// A folder with meshes of your own: scans of the papers by name ('botijo.obj', 'eros.ply.gz'
-    /// …), others under the names of their files. May be given more than once
+    /// …) at scale full, others under the names of their files: at scale full in groups with
+    /// other_data, at every scale where an experiment names them. May be given more than once
     #[arg(long, value_name = "DIR")]
     data: Vec<PathBuf>,
     /// Do the I-th of N parts only; other machines do the others

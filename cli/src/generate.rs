@@ -120,8 +120,8 @@ struct StandInArguments {
 ///
 /// A and B are the boxes of Table 4.2 of the comparison paper and their simplifications. ir-B, ir-C
 /// and ir-D are those of Tables 3 to 5 of the paper on irreducible triangulations. Scans are
-/// stand-ins: they have the scan's counts and genus, not its shape. Simplified meshes are kept in
-/// the cache.
+/// stand-ins: at full scale they have the scan's counts and genus, not its shape. Simplified meshes
+/// are kept in the cache.
 #[derive(Args)]
 #[command(after_help = "Example: triquad generate paper ir-B4 -o ir-b4.ply")]
 struct PaperArguments {

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use triquad::counted::{counted, listed};
 use triquad::mesh::refuse_endless;
-use triquad_lab::experiment::Task;
 use triquad_lab::experiment::import::{self, ImportSettings, Imported, MissingPart};
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine;
+use triquad_lab::experiment::{RunRecord, Task};
 use triquad_lab::meshes::paper::Scale;
 
 use crate::failure::Failure;
@@ -83,10 +83,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let cells = imported.planned().len();
     let rows = imported.records.len();
     let renamed = imported.renamed.map(|(from, to)| format!("; {from} taken as {to}"));
-    let meshes = imported.renamed_meshes;
+    let (meshes, near_meshes) = (imported.renamed_meshes, imported.near_meshes);
     let task = imported.records.first().map_or("", |record| record.id.job.task().id());
     let earlier = journal.results().records.iter().map(|record| record.key.clone());
     let mut keys: HashSet<String> = earlier.collect();
+    let new: HashSet<&String> = imported.records.iter().map(|record| &record.key).collect();
+    let is_staying = |record: &&RunRecord| record.machine == name && !new.contains(&record.key);
+    let staying = journal.results().records.iter().filter(is_staying).count();
     let mut replaced = 0;
     for record in imported.records {
         replaced += usize::from(!keys.insert(record.key.clone()));
@@ -100,6 +103,23 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let why = "the boxes of the paper on irreducible triangulations are called so";
         stdio::note(&format!("{file}: note: {given} is taken as {taken}: {why}"));
     }
+    for (given, near) in near_meshes {
+        let file = arguments.file.display();
+        stdio::note(&format!(
+            "{file}: note: {given:?} is taken as a mesh of your own; {near:?} is near"
+        ));
+    }
+    let staying = match staying {
+        0 => String::new(),
+        rows => format!(
+            "; {}",
+            counted(
+                rows,
+                format!("earlier row of {algorithm} stays"),
+                format!("earlier rows of {algorithm} stay")
+            )
+        ),
+    };
     let replaced = match replaced {
         0 => String::new(),
         rows => format!(
@@ -113,7 +133,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let written = report::write(out, journal.results())?;
     stdio::say(&format!(
-        "{}: {} of {} ({task}) on {} taken in{}{replaced}",
+        "{}: {} of {} ({task}) on {} taken in{}{replaced}{staying}",
         written.page.as_deref().unwrap_or(out).display(),
         counted(rows, "run", "runs"),
         algorithm,

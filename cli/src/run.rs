@@ -338,11 +338,13 @@ impl RunObserver for RunView<'_> {
         report.map(|_| ()).map_err(io::Error::other)
     }
 
-    fn mesh_done(&self, mesh: &PlannedMesh) {
+    fn mesh_done(&self, block: &Block) {
         let pace = self.pace();
         let (done, left) = (pace.done, pace.left_in_words());
         let runs = counted(pace.runs, "run", "runs");
         drop(pace);
-        self.say(&format!("{} done: {done} of {runs}, {left}", mesh.name));
+        // Several experiments may have the mesh.
+        let (experiment, mesh) = (&block.id.experiment, &block.mesh.name);
+        self.say(&format!("{experiment}: {mesh} done: {done} of {runs}, {left}"));
     }
 }

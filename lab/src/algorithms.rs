@@ -220,7 +220,7 @@ impl AlgorithmFacts {
         let name: &'static str = Box::leak(name.into());
         let facts: &'static Self = Box::leak(Box::new(row(
             [name, name],
-            "not ours",
+            "not of triquad",
             look_of(name),
             // Nothing is estimated for it.
             (0.0, 0.0),

@@ -261,7 +261,8 @@ fn two_columns_of_somebody_else_reach_the_tables() {
     assert!(refused.ends_with("--other-meshes takes it in as a mesh of your own\n"), "{refused}");
     let output = shop.run("import two.csv --algorithm mymatch --out out --other-meshes");
     let said = String::from_utf8(output.stdout).unwrap();
-    assert!(said.ends_with("on 1 mesh taken in; seconds taken as total_seconds\n"), "{said}");
+    let taken = "on 1 mesh taken in; seconds taken as total_seconds; ";
+    assert!(said.ends_with(&format!("{taken}2 earlier rows of mymatch stay\n")), "{said}");
     assert!(text(&shop, "out/table_data.csv").contains("botjo,mymatch,"));
     std::fs::write(shop.path("tests.csv"), "mesh,link_condition_tests\nB0,2e6\n").unwrap();
     shop.succeed("import tests.csv --algorithm mine --out out");
@@ -343,7 +344,8 @@ fn what_an_import_changes_and_replaces_is_said() {
     let [said, _] = import(&three.replace("0.5", "0.7"), "mine");
     assert!(said.ends_with("taken in; 3 rows replace earlier ones\n"), "{said}");
     let [said, _] = import("mesh,repetition,total_seconds\neros,1,2\neros,1,3\n", "mine");
-    assert!(said.ends_with("taken in; 1 row replaces an earlier one\n"), "{said}");
+    let replaced = "taken in; 1 row replaces an earlier one; 3 earlier rows of mine stay\n";
+    assert!(said.ends_with(replaced), "{said}");
     // Nobody timed these processes.
     let column = shop
         .results("out")
@@ -359,6 +361,15 @@ fn what_an_import_changes_and_replaces_is_said() {
     assert!(notes.contains("rows.csv: note: B1 is taken as ir-B1: "), "{notes}");
     let [_, notes] = import("mesh,total_seconds\nB1,2\n", "ps");
     assert!(notes.is_empty(), "{notes}");
+    // A slip may be meant as a mesh of one's own; its row stays when it is corrected.
+    let slips = "mesh,total_seconds\nBotjio,0.5\nBotjio,0.6\nchair,2\nEros,1\n";
+    let [_, notes] = import(slips, "other --other-meshes");
+    let note =
+        "triquad: rows.csv: note: \"Botjio\" is taken as a mesh of your own; \"botijo\" is near\n";
+    assert_eq!(notes, note);
+    let [said, _] =
+        import("mesh,total_seconds\nBotijo,0.5\nchair,2\nEros,1\n", "other --other-meshes");
+    assert!(said.ends_with("replace earlier ones; 2 earlier rows of other stay\n"), "{said}");
 }
 
 #[test]
@@ -481,12 +492,24 @@ fn tables_are_compared_with_a_baseline_number_by_number() {
     let output = shop.run("compare one --baseline two");
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.contains("total_seconds") && said.contains("2.000"), "{said}");
+    let spread =
+        ["total_seconds_median", "total_seconds_upper_quartile", "unpaired_triangles_least"];
+    assert!(spread.iter().all(|number| said.contains(number)), "{said}");
     // Nothing was run for this table, and the numbers of runs alone are none to compare.
     assert!(!shop.path("one/baseline/table_6.csv").exists(), "{said}");
     let table = text(&shop, "one/baseline/table_4_3.csv");
     let row = table.lines().find(|line| line.contains(",total_seconds,")).unwrap();
     assert!(row.starts_with("botijo,PS,total_seconds,0.60000000,0.30000000,2.000,"), "{row}");
     assert!(shop.refused("compare one --baseline three").contains("three"));
+    // One run has no spread to compare.
+    std::fs::write(shop.path("rows.csv"), rows.replace("botijo,20,0.7\n", "")).unwrap();
+    shop.succeed("import rows.csv --algorithm ps --out single");
+    for (one, other) in [("one", "single"), ("single", "one")] {
+        let said = shop.run(&format!("compare {one} --baseline {other}")).stdout;
+        let said = String::from_utf8(said).unwrap();
+        assert!(said.contains("total_seconds"), "{said}");
+        assert!(spread.iter().all(|number| !said.contains(number)), "{said}");
+    }
 }
 
 #[test]

@@ -78,7 +78,8 @@ fn progress_counts_the_runs_of_this_plan() {
         let number = |text: &str| text.parse().unwrap();
         counts.map(|count| count.map(|(done, all)| (number(done), number(all))).unwrap()).collect()
     };
-    shop.succeed("run tiny.toml --scale demo --out out");
+    let said = shop.succeed("run tiny.toml --scale demo --out out");
+    assert!(said.lines().any(|line| line.contains("tiny: botijo done: ")), "{said}");
     let text = std::fs::read_to_string(shop.path("tiny.toml")).unwrap();
     std::fs::write(shop.path("tiny.toml"), text.replacen("seed = ", "seed = 1", 1)).unwrap();
     let found = counts(&shop.succeed("run tiny.toml --scale demo --out out"));

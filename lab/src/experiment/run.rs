@@ -67,8 +67,8 @@ pub trait RunObserver: Sync {
     fn block_done(&self, _journal: &Journal) -> io::Result<()> {
         Ok(())
     }
-    /// Called when all runs on a mesh have their rows.
-    fn mesh_done(&self, _mesh: &PlannedMesh) {}
+    /// Called when all runs on a mesh, of which `block` is the last, have their rows.
+    fn mesh_done(&self, _block: &Block) {}
 }
 
 /// Age at which a temporary file in the cache, which others may be writing, is a leftover.
@@ -125,13 +125,14 @@ impl<C: Clock + Sync> Execution<'_, C> {
     fn all(&self, plan: &Plan, workshop: &Workshop) -> io::Result<()> {
         self.observer.begin(self.left(plan));
         let mut at_hand: Option<AtHand> = None;
+        let mut last: Option<&Block> = None;
         for block in &plan.blocks {
             let open = self.open_runs(block);
             if open.is_empty() {
                 continue;
             }
             if at_hand.as_ref().is_none_or(|at_hand| at_hand.mesh != block.mesh) {
-                self.leave(at_hand.take(), workshop);
+                self.leave(at_hand.take(), last, workshop);
                 self.observer.preparing(&block.mesh);
                 at_hand = Some(workshop.prepare(&block.mesh, block.limits));
             }
@@ -146,8 +147,9 @@ impl<C: Clock + Sync> Execution<'_, C> {
                 Ok(file) => self.run_block(block, file, workshop, &open)?,
             }
             self.observer.block_done(&lock(&self.journal))?;
+            last = Some(block);
         }
-        self.leave(at_hand, workshop);
+        self.leave(at_hand, last, workshop);
         Ok(())
     }
 
@@ -326,11 +328,12 @@ impl<C: Clock + Sync> Execution<'_, C> {
         ])
     }
 
-    /// Removes a mesh that is no longer needed.
-    fn leave(&self, at_hand: Option<AtHand>, workshop: &Workshop) {
-        let Some(AtHand { mesh, .. }) = at_hand else { return };
-        workshop.clear([&mesh]);
-        self.observer.mesh_done(&mesh);
+    /// Removes a mesh that is no longer needed; `last` is its last block.
+    fn leave(&self, at_hand: Option<AtHand>, last: Option<&Block>, workshop: &Workshop) {
+        if let Some((AtHand { mesh, .. }, last)) = at_hand.zip(last) {
+            workshop.clear([&mesh]);
+            self.observer.mesh_done(last);
+        }
     }
 }
 

@@ -136,7 +136,7 @@ pub struct RunSpec {
 
 /// Repetitions at each scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a number a scale: { full = 3, small = 3, demo = 3 }")]
+#[serde(from = "RepetitionsInFile")]
 pub struct Repetitions {
     /// As large as in the papers.
     pub full: u32,
@@ -144,6 +144,21 @@ pub struct Repetitions {
     pub small: u32,
     /// A hundredth.
     pub demo: u32,
+}
+
+/// Repetitions as a file has them: where a smaller scale has no number, that of full scale.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a number a scale: { full = 3, small = 3, demo = 3 }")]
+struct RepetitionsInFile {
+    full: u32,
+    small: Option<u32>,
+    demo: Option<u32>,
+}
+
+impl From<RepetitionsInFile> for Repetitions {
+    fn from(RepetitionsInFile { full, small, demo }: RepetitionsInFile) -> Self {
+        Self { full, small: small.unwrap_or(full), demo: demo.unwrap_or(full) }
+    }
 }
 
 impl Experiment {
@@ -503,6 +518,10 @@ mod tests {
         assert!(problem("demo = 2", "demo = 4294967295").contains("from 1 to 10000"));
         let without_demo = Experiment::parse(&TEXT.replace("demo = 2", "demo = 0")).unwrap();
         assert_eq!(without_demo.groups[0].runs[0].repetitions("A1", Scale::Demo), 0);
+        let full_alone = TEXT.replace(", small = 5, demo = 2", "");
+        let expected = Repetitions { full: 10, small: 10, demo: 10 };
+        let alone = Experiment::parse(&full_alone).unwrap();
+        assert_eq!(alone.groups[0].runs[0].repetitions, expected);
         assert!(problem("{ A1 = 3 }", "{ A1 = 0 }").starts_with("fewer = 0: "));
         assert!(problem("{ A1 = 7 }", "{ A1 = 0 }").starts_with("stop_after_paths = 0: "));
         let twice = problem("\"ps\"", "\"ps\", \"lrs few-flips\"");

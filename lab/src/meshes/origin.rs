@@ -89,8 +89,8 @@ impl Origin {
             Self::Generated => "mesh: made to order",
             Self::Simplified => "mesh: simplified from a generated one",
             Self::StandIn => {
-                "mesh: generated in place of a scan, with its number of vertices and genus, not its \
-                 shape (†)"
+                "mesh: generated in place of a scan, of another shape; at full scale with its \
+                 number of vertices and genus (†)"
             }
         }
     }

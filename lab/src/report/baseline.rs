@@ -242,11 +242,13 @@ fn compared(
         let mut rows = Vec::new();
         for row in &table.rows {
             let is_of_other_size = sizes.differ(&row.mesh);
+            let is_repeated = is_repeated(table, row, &baseline);
             for (column, cell) in row.cells.iter().enumerate() {
                 let name = &table.columns[column].name;
                 // `rs_n` and the like are numbers of runs, too.
                 let is_compared = !NOT_COMPARED.contains(&name.as_str()) && !name.ends_with("_n");
-                if !is_compared || cell.ours.number().is_none() {
+                let is_noise = is_of_spread(name) && !is_repeated;
+                if !is_compared || is_noise || cell.ours.number().is_none() {
                     continue;
                 }
                 let theirs = baseline(table, row, column);
@@ -264,6 +266,25 @@ fn compared(
     (compared, left_out)
 }
 
+/// Returns whether a number describes how repetitions spread.
+fn is_of_spread(name: &str) -> bool {
+    ["_median", "_quartile", "_least", "_greatest"].iter().any(|ending| name.ends_with(ending))
+}
+
+/// Returns whether both sides of a row have more than one run.
+fn is_repeated(
+    table: &ReportTable,
+    row: &Row,
+    baseline: impl Fn(&ReportTable, &Row, usize) -> Option<TableCell>,
+) -> bool {
+    let Some(column) = table.columns.iter().position(|column| column.name == RUNS) else {
+        return false;
+    };
+    let theirs = baseline(table, row, column);
+    let is_repeated = |cell: &TableCell| cell.ours.number().is_some_and(|runs| runs > 1.0);
+    is_repeated(&row.cells[column]) && theirs.as_ref().is_some_and(is_repeated)
+}
+
 /// Returns whether a number is another on a mesh of another size: all but shares and shapes are.
 fn depends_on_size(name: &str, value: &Value) -> bool {
     let is_share = matches!(value, Value::Percent(_)) || name.ends_with("percent");
@@ -271,6 +292,7 @@ fn depends_on_size(name: &str, value: &Value) -> bool {
 }
 
 const ALGORITHM: &str = "algorithm";
+const RUNS: &str = "n";
 
 fn algorithm(table: &ReportTable, row: &Row) -> String {
     let place = table.columns.iter().position(|column| column.name == ALGORITHM);

@@ -1,7 +1,6 @@
 //! Notes for reading a table or plot, worded once.
 
 use super::summary::Cell;
-use crate::meshes::Origin;
 use crate::meshes::paper::Scale;
 
 /// A remark on numbers.
@@ -33,8 +32,7 @@ impl Note {
         let any = |test: fn(&Cell) -> bool| cells.clone().any(test);
         let mut notes = Vec::new();
         for scale in [Scale::Small, Scale::Demo] {
-            let is_made = |cell: &Cell| !cell.origin.is_some_and(Origin::is_file);
-            if cells.clone().any(|cell| cell.id.mesh.scale == scale && is_made(cell)) {
+            if cells.clone().any(|cell| cell.smaller_scale() == Some(scale)) {
                 notes.push(Self::Scale(scale));
             }
         }
@@ -63,8 +61,9 @@ impl Note {
                 );
             }
             Self::StandIn => {
-                "† A stand-in has the vertex count and genus of the paper's scan, not its shape or \
-                 connectivity: compare orders of magnitude, not digits."
+                "† At full scale a stand-in has the vertex count and genus of the paper's scan; \
+                 its shape and connectivity are other ones. Compare orders of magnitude, not \
+                 digits."
             }
             Self::Extrapolated => {
                 "* Extrapolated: the augmentation was stopped after some of its paths. Its time is \

@@ -250,6 +250,12 @@ impl Cell {
     pub fn is_full_scale(&self) -> bool {
         self.id.mesh.scale == Scale::Full
     }
+
+    /// Returns the scale of a mesh that was made smaller than the paper's; files keep their size.
+    pub fn smaller_scale(&self) -> Option<Scale> {
+        let is_file = self.origin.is_some_and(Origin::is_file);
+        (!self.is_full_scale() && !is_file).then_some(self.id.mesh.scale)
+    }
 }
 
 /// Takes the origin of a cell from its own runs; else, as its size, from other runs on the mesh,

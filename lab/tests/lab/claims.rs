@@ -10,7 +10,7 @@ use triquad_lab::experiment::{Job, Outcome, Results, RunRecord};
 use triquad_lab::meshes::MeshKind;
 use triquad_lab::meshes::paper::{self, Scale};
 use triquad_lab::paper::Paper;
-use triquad_lab::report::claims::{Cause, Claim, ClaimKind};
+use triquad_lab::report::claims::{Cause, Claim, ClaimKind, Need, Predicate};
 use triquad_lab::report::{Judged, Summary, Verdict, claims, compare};
 
 /// What the papers print satisfies exactly the claims that are not said to be inconsistent.
@@ -55,6 +55,15 @@ fn there_are_claims_of_both_papers_and_each_has_a_name_of_its_own() {
             claim.kind != ClaimKind::MachineFree && claim.kind != ClaimKind::Exponent;
         assert!(!is_about_times || claim.is_about_times(), "{}", claim.id);
         assert!(claim.kind != ClaimKind::MachineFree || !claim.is_about_times(), "{}", claim.id);
+        let is_printed = match &claim.predicate {
+            Predicate::AsPrinted { .. } => true,
+            Predicate::Range { low, high } => [low, high].iter().any(|bound| {
+                claim.kind == ClaimKind::Ratio && bound.is_some_and(|bound| bound != 1.0)
+            }),
+            _ => false,
+        };
+        // A printed number, and a factor between two times, are those of the paper's size.
+        assert!(!is_printed || claim.needs.contains(&Need::PaperSize), "{}", claim.id);
     }
 }
 
@@ -365,6 +374,13 @@ fn a_difference_has_a_cause_and_stand_ins_are_one() {
     assert_eq!(cause("lrs-two-percent"), (Verdict::Reproduced, None));
     let differing = verdicts.iter().filter(|judged| judged.verdict == Verdict::Differs);
     assert!(differing.clone().all(|judged| judged.cause.is_some()));
+    // Whatever is known of differences is of the papers' sizes.
+    results.records.iter_mut().for_each(|run| run.id.mesh.scale = Scale::Demo);
+    results.planned.iter_mut().for_each(|cell| cell.id.mesh.scale = Scale::Demo);
+    let verdicts = judged(&results);
+    let mut differing = verdicts.iter().filter(|judged| judged.verdict == Verdict::Differs);
+    assert!(differing.clone().any(|judged| judged.id == "ps-percent"));
+    assert!(differing.all(|judged| judged.cause.as_ref().unwrap().0 == Cause::Scale));
 }
 
 /// A path by `rebuild` costs 10 s on A1: PS has 68 there on an average, LRS 2.

@@ -1,6 +1,7 @@
 //! Files of results by others: what is refused, where, and with which remedy.
 
 use triquad_lab::experiment::import::{self, ImportSettings, MissingPart};
+use triquad_lab::meshes::MeshKind;
 use triquad_lab::meshes::paper::Scale;
 
 fn settings(mapping: &[(&str, &str)]) -> ImportSettings {
@@ -15,6 +16,27 @@ fn settings(mapping: &[(&str, &str)]) -> ImportSettings {
 
 fn refusal(text: &str) -> String {
     import::read(text, &settings(&[])).expect_err(text).to_string()
+}
+
+/// There are no smaller scans: of that size they are stand-ins, as those of `triquad run` are.
+#[test]
+fn the_kind_of_a_mesh_that_is_not_given_is_that_of_its_size() {
+    let kinds = |scale, header: &str, rows: &str| -> Vec<MeshKind> {
+        let settings = ImportSettings { scale, ..settings(&[]) };
+        let imported = import::read(&format!("{header}\n{rows}"), &settings).unwrap();
+        imported.records.iter().map(|record| record.mesh_kind).collect()
+    };
+    let (header, rows) = ("mesh,total_seconds", "botijo,1\nA1,1\nA2,1\nchair,1\n");
+    let others = [MeshKind::Generated, MeshKind::Simplified, MeshKind::Real];
+    for (scale, scan) in [
+        (Scale::Full, MeshKind::Real),
+        (Scale::Small, MeshKind::StandIn),
+        (Scale::Demo, MeshKind::StandIn),
+    ] {
+        assert_eq!(kinds(scale, header, rows), [&[scan][..], &others].concat(), "{scale:?}");
+        let given = kinds(scale, "mesh,total_seconds,mesh_kind", "eros,1,real\n");
+        assert_eq!(given, [MeshKind::Real], "{scale:?}");
+    }
 }
 
 #[test]

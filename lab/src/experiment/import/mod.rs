@@ -69,6 +69,8 @@ pub struct Imported {
     pub renamed: Option<(&'static str, &'static str)>,
     /// Meshes in the words of the file, and those of the second paper that they are taken for.
     pub renamed_meshes: Vec<(String, String)>,
+    /// Meshes that the papers do not have, and those of theirs whose names are but a slip away.
+    pub near_meshes: Vec<(String, String)>,
     /// Parts of the total that runs lack.
     pub missing_parts: Vec<MissingPart>,
 }
@@ -170,6 +172,7 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
         rounded: Vec::new(),
         renamed,
         renamed_meshes: Vec::new(),
+        near_meshes: Vec::new(),
         missing_parts: Vec::new(),
     };
     for row in rows {
@@ -185,7 +188,8 @@ pub fn read(text: &str, settings: &ImportSettings) -> Result<Imported, ImportErr
 }
 
 impl Imported {
-    /// Notes a mesh of the second paper that the file calls as the first paper calls another.
+    /// Notes a mesh of the second paper that the file calls as the first paper calls another, and
+    /// one of somebody's own that is called nearly as a mesh of the papers.
     fn note_mesh(&mut self, row: &StringRecord, columns: &[String], record: &RunRecord) {
         let (Some(given), taken) = (cell(row, columns, MESH), &record.id.mesh.name) else {
             return;
@@ -193,6 +197,11 @@ impl Imported {
         let is_new = || self.renamed_meshes.iter().all(|(_, mesh)| mesh != taken);
         if taken.starts_with(SECOND_PAPER) && !starts_second_paper(given) && is_new() {
             self.renamed_meshes.push((given.to_owned(), taken.clone()));
+        }
+        let is_of_papers = paper::ALL.iter().any(|mesh| mesh.name == taken);
+        let is_known = is_of_papers || self.near_meshes.iter().any(|(name, _)| name == taken);
+        if let Some(near) = near_mesh(taken).filter(|_| !is_known) {
+            self.near_meshes.push((taken.clone(), near.to_owned()));
         }
     }
 
@@ -384,6 +393,9 @@ fn known_columns() -> Vec<String> {
     known.map(|name| (*name).to_owned()).collect()
 }
 
+/// Program of rows that name none.
+pub const UNNAMED_PROGRAM: &str = "external";
+
 /// Begins the names of the second paper's boxes.
 const SECOND_PAPER: &str = "ir-";
 
@@ -509,8 +521,7 @@ fn record(
     let mesh = find_mesh(&place.mesh, job.task(), settings);
     let mesh = match mesh {
         None if !settings.allows_other_meshes => {
-            let known = paper::ALL.iter().map(|mesh| mesh.name);
-            let nearest = slip_of(&place.mesh, known).map(String::from);
+            let nearest = near_mesh(&place.mesh).map(String::from);
             return Err(ImportError::UnknownMesh { line, name: place.mesh, nearest });
         }
         found => found,
@@ -533,7 +544,10 @@ fn record(
     Ok(RunRecord {
         key: hash_of_words(&key),
         id,
-        mesh_kind: place.mesh_kind.or(mesh.map(kind_of)).unwrap_or(MeshKind::Real),
+        mesh_kind: place
+            .mesh_kind
+            .or(mesh.map(|mesh| kind_of(mesh, settings.scale)))
+            .unwrap_or(MeshKind::Real),
         mesh_sha256: String::new(),
         repetition,
         seed: place.seed.unwrap_or(0),
@@ -541,7 +555,7 @@ fn record(
         reason: plain(place.reason),
         parallel_jobs: place.parallel_jobs.unwrap_or(1),
         stopped_after_paths: place.stopped_after_paths,
-        program: place.program.map_or("external".into(), |program| plain(Some(program))),
+        program: place.program.map_or(UNNAMED_PROGRAM.into(), |program| plain(Some(program))),
         machine: machine_name(&settings.algorithm),
         command: plain(place.command),
         process_seconds: place.process_seconds,
@@ -564,10 +578,16 @@ fn find_mesh(name: &str, task: Task, settings: &ImportSettings) -> Option<PaperM
     }
 }
 
-/// Returns the kind of a mesh that others have: the scans themselves, not stand-ins.
-fn kind_of(mesh: PaperMesh) -> MeshKind {
+/// Returns the mesh of the papers whose name is but a slip away. O(meshes).
+fn near_mesh(name: &str) -> Option<&'static str> {
+    slip_of(name, paper::ALL.iter().map(|mesh| mesh.name))
+}
+
+/// Returns the kind of a mesh that others have: the scans themselves, and of smaller sizes the
+/// stand-ins, as there are no such scans.
+fn kind_of(mesh: PaperMesh, scale: Scale) -> MeshKind {
     match mesh.recipe {
-        Recipe::StandIn { .. } => MeshKind::Real,
+        Recipe::StandIn { .. } if scale == Scale::Full => MeshKind::Real,
         _ => mesh.kind(),
     }
 }

@@ -92,18 +92,22 @@ pub enum Cause {
     Implementation,
     /// The claim is about a machine.
     Machine,
+    /// The meshes were made smaller than the papers'. No claim names it: records have it.
+    #[serde(skip)]
+    Scale,
     /// Unknown.
     Unknown,
 }
 
 impl Cause {
     /// All of them, in the order of the page.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Mesh,
         Self::Simplifier,
         Self::StandIn,
         Self::Implementation,
         Self::Machine,
+        Self::Scale,
         Self::Unknown,
     ];
 
@@ -115,6 +119,7 @@ impl Cause {
             Self::StandIn => "stand-in",
             Self::Implementation => "implementation",
             Self::Machine => "machine",
+            Self::Scale => "scale",
             Self::Unknown => "unknown",
         }
     }

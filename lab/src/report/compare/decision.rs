@@ -3,6 +3,7 @@
 use triquad::counted::counted;
 
 use super::evidence::Evidence;
+use crate::meshes::paper::Scale;
 use crate::report::claims::{Cause, Claim, ClaimKind, Finding, MeshNumber, Need};
 use crate::report::summary::Summary;
 
@@ -137,8 +138,17 @@ pub(super) fn disagreement(
     others as f64 / resamples as f64
 }
 
-/// Returns what a difference is due to, and what speaks for that.
-pub(super) fn cause(claim: &Claim, ours: &Evidence, test: Option<&Finding>) -> (Cause, String) {
+/// Returns what a difference is due to, and what speaks for that. The causes that claims name are
+/// of the papers' sizes.
+pub(super) fn cause(
+    claim: &Claim,
+    summary: &Summary,
+    ours: &Evidence,
+    test: Option<&Finding>,
+) -> (Cause, String) {
+    if let Some(scale) = smaller_scale(claim, summary) {
+        return (Cause::Scale, format!("the meshes of scale {} are smaller", scale.id()));
+    }
     if let Some(cause) = claim.cause {
         return (cause, claim.evidence.clone());
     }
@@ -157,15 +167,20 @@ pub(super) fn cause(claim: &Claim, ours: &Evidence, test: Option<&Finding>) -> (
 
 /// Returns what keeps a claim from being judged, whatever its numbers.
 fn hindrance(claim: &Claim, summary: &Summary) -> Option<String> {
-    let first = summary.of_paper(claim.experiment).next();
     if claim.kind == ClaimKind::Seconds {
         Some("seconds of another machine and compiler; an estimate, not a test".into())
     } else if claim.is_about_times() && summary.is_parallel() {
         Some("the runs went on beside others on the same machine, so that times say little".into())
     } else if claim.needs.contains(&Need::PaperSize) {
-        let smaller = first.filter(|cell| !cell.is_full_scale())?.id.mesh.scale.id();
+        let smaller = smaller_scale(claim, summary)?.id();
         Some(format!("depends on sizes, and the meshes of scale {smaller} are smaller"))
     } else {
         None
     }
+}
+
+/// Returns the scale of the records that a claim is judged on; `None` at the papers' sizes.
+fn smaller_scale(claim: &Claim, summary: &Summary) -> Option<Scale> {
+    let first = summary.of_paper(claim.experiment).next();
+    first.filter(|cell| !cell.is_full_scale()).map(|cell| cell.id.mesh.scale)
 }

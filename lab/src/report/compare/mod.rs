@@ -149,7 +149,8 @@ fn judge_one(claim: &Claim, printed: &[MeshNumber], summary: &Summary) -> Judged
     let ours = evidence::evidence(claim, summary);
     let test = (!ours.points.is_empty()).then(|| claim.predicate.test(&ours.points, printed));
     let Decision { verdict, reason } = decide(claim, summary, &ours, printed);
-    let cause = (verdict == Verdict::Differs).then(|| decision::cause(claim, &ours, test.as_ref()));
+    let cause = (verdict == Verdict::Differs)
+        .then(|| decision::cause(claim, summary, &ours, test.as_ref()));
     Judged {
         id: claim.id.clone(),
         statement: claim.statement.clone(),

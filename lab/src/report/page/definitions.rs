@@ -1,10 +1,12 @@
 //! Every symbol and every algorithm in a line; those of algorithms are in [`crate::algorithms`].
 
 use serde::Serialize;
+use triquad::augmentation::Augmentation;
 
 use super::topic::Topic;
 use crate::algorithms::AlgorithmFacts;
-use crate::experiment::Task;
+use crate::experiment::import::UNNAMED_PROGRAM;
+use crate::experiment::{Job, Task};
 use crate::meshes::Origin;
 use crate::report::summary::Summary;
 
@@ -36,7 +38,7 @@ const SYMBOLS: [(&str, &str); 22] = [
         "d·d a test",
         "product of the degrees of both ends: the cost of a test without data structure",
     ),
-    ("visited", "the same over a whole run; of augmentations, triangles that searches visit"),
+    ("visited", "in a whole run: vertices that tests visit, or triangles that augmentations visit"),
     ("path", "augmenting path; its length counts pairs of neighbouring triangles"),
     ("flips", "edges of the quads that the triangulation does not have"),
     ("scaled Jacobian", "shape of a quad: 1 for a rectangle, 0 or less where it is not convex"),
@@ -50,19 +52,54 @@ const SYMBOLS: [(&str, &str); 22] = [
     ("local", "our augmentation: a search touches only what it visits"),
 ];
 
-/// Returns the definitions; programs that are not ours at the end. Of our algorithms, pages of own
-/// results define only those with runs.
+/// Symbols of conversions alone.
+const OF_CONVERSIONS: [&str; 9] = [
+    "k",
+    "ℓ (comparison)",
+    "α",
+    "(a), (d), (e)",
+    "(b)",
+    "path",
+    "flips",
+    "scaled Jacobian",
+    "PS, PS local",
+];
+
+/// Symbols of irreducible triangulations alone.
+const OF_REDUCTIONS: [&str; 6] =
+    ["ℓ (irreducible)", "ε", "t", "visited a test", "d·d a test", "RS, RS random"];
+
+/// Returns the definitions; programs that are not ours at the end. Pages of own results define of
+/// our algorithms and augmentations, of symbols and origins of meshes only those with runs.
 pub fn definitions(summary: &Summary, topic: &Topic) -> Vec<Definition> {
     let is_shown = |facts: &&AlgorithmFacts| {
         let is_run = || summary.cells().iter().any(|cell| cell.id.job.facts().name == facts.name);
         !topic.is_own() || is_run()
     };
     let algorithms = AlgorithmFacts::all().iter().filter(is_shown);
-    let known = algorithms.map(|facts| (facts.label, facts.meaning)).chain(SYMBOLS);
-    let known = known.chain(Origin::ALL.map(|origin| (origin.id(), origin.meaning())));
+    let symbols = SYMBOLS.into_iter().filter(|(word, _)| !topic.is_own() || is_used(word, summary));
+    let known = algorithms.map(|facts| (facts.label, facts.meaning)).chain(symbols);
+    let has_meshes =
+        |origin: &Origin| summary.cells().iter().any(|cell| cell.origin == Some(*origin));
+    let origins = Origin::ALL.into_iter().filter(|origin| !topic.is_own() || has_meshes(origin));
+    let known = known.chain(origins.map(|origin| (origin.id(), origin.meaning())));
     let known =
         known.map(|(word, meaning)| Definition { word: word.into(), meaning: meaning.into() });
     known.chain(programs(summary)).collect()
+}
+
+/// Returns whether a symbol stands in tables or plots of these runs.
+fn is_used(word: &str, summary: &Summary) -> bool {
+    let any = |test: &dyn Fn(Job) -> bool| summary.cells().iter().any(|cell| test(cell.id.job));
+    if OF_CONVERSIONS.contains(&word) {
+        any(&|job| job.task() == Task::Convert)
+    } else if OF_REDUCTIONS.contains(&word) {
+        any(&|job| job.task() == Task::Irreducible)
+    } else if word.parse::<Augmentation>().is_ok() {
+        any(&|job| job.names().augmentation == Some(word))
+    } else {
+        true
+    }
 }
 
 fn programs(summary: &Summary) -> impl Iterator<Item = Definition> {
@@ -72,8 +109,8 @@ fn programs(summary: &Summary) -> impl Iterator<Item = Definition> {
             Task::Convert => "quads",
             Task::Irreducible => "irreducible triangulations",
         };
-        let version =
-            cell.runs.iter().map(|run| run.program.as_str()).find(|text| !text.is_empty());
+        let versions = cell.runs.iter().map(|run| run.program.as_str());
+        let version = { versions }.find(|text| !["", UNNAMED_PROGRAM].contains(text));
         let version = version.map_or(String::new(), |version| format!(": {version}"));
         let meaning = format!("{}, makes {what}{version}", cell.id.job.facts().meaning);
         if programs.iter().all(|program| program.0 != cell.label()) {
@@ -85,7 +122,6 @@ fn programs(summary: &Summary) -> impl Iterator<Item = Definition> {
 
 #[cfg(test)]
 mod tests {
-    use triquad::augmentation::Augmentation;
     use triquad::irreducible::{Contractor, Order};
     use triquad::pairing::Algorithm;
 
@@ -105,5 +141,11 @@ mod tests {
             let (_, meaning) = SYMBOLS.iter().find(|symbol| symbol.0 == word).expect(&word);
             assert!(names.iter().all(|name| meaning.contains(name)), "{meaning}");
         }
+    }
+
+    #[test]
+    fn symbols_of_one_task_are_symbols() {
+        let is_symbol = |word: &&str| SYMBOLS.iter().any(|symbol| symbol.0 == *word);
+        assert!(OF_CONVERSIONS.iter().chain(&OF_REDUCTIONS).all(is_symbol));
     }
 }

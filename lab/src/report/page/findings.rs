@@ -8,6 +8,7 @@ use super::parts::Parts;
 use crate::paper::{Paper, Table, TableKind};
 use crate::report::claims::ClaimKind;
 use crate::report::compare::Verdict;
+use crate::report::summary::Cell;
 use crate::report::tables::{ReportTable, Row, Value};
 
 /// A sentence and where its evidence is.
@@ -36,6 +37,13 @@ pub fn findings(parts: &Parts, duel: &LrsAgainstPs) -> Vec<Finding> {
     findings.into_iter().flatten().collect()
 }
 
+/// Returns ` at scale demo` if meshes of a paper were made smaller than the paper's.
+fn at_scale(parts: &Parts, papers: &[Paper]) -> String {
+    let mut cells = papers.iter().flat_map(|&paper| parts.summary.of_paper(paper));
+    let smaller = cells.find_map(Cell::smaller_scale);
+    smaller.map_or(String::new(), |scale| format!(" at scale {}", scale.id()))
+}
+
 /// Counts the verdicts by kind of claim.
 fn verdicts(parts: &Parts) -> String {
     let judged = &parts.comparison.verdicts;
@@ -60,16 +68,24 @@ fn verdicts(parts: &Parts) -> String {
         return format!("These records decide none of the {all} claims of the two papers.");
     }
     format!(
-        "The two papers make {all} claims. Of those that could be decided, these are reproduced: \
-         {}.",
+        "The two papers make {all} claims. Of those that could be decided{}, these are \
+         reproduced: {}.",
+        at_scale(parts, &[Paper::Comparison, Paper::Irreducible]),
         found.join(", ")
     )
 }
 
-/// Counts the meshes on which RS makes as many tests as printed.
+/// Counts the meshes on which RS makes as many tests as printed; on smaller ones it cannot.
 fn meshes(parts: &Parts) -> Option<String> {
     let column = "rs_link_condition_tests";
     let rows = numbers(parts, TableKind::LinkTests, column);
+    let scale = at_scale(parts, &[Paper::Irreducible]);
+    if !rows.is_empty() && !scale.is_empty() {
+        return Some(format!(
+            "The printed counts determine the papers' box, whose proportions are not printed. The \
+             numbers of link condition tests are not comparable with the printed ones{scale}."
+        ));
+    }
     let is_close = |(ours, paper): &&(f64, f64)| {
         let ratio = ours / paper;
         ratio <= CLOSE && ratio * CLOSE >= 1.0
@@ -111,7 +127,8 @@ fn reductions(parts: &Parts) -> Option<String> {
     let times: Vec<String> = times.into_iter().filter_map(faster).collect();
     let times = (!times.is_empty()).then(|| format!("is faster {}", times.join(" and ")));
     let found: Vec<String> = [cost, times].into_iter().flatten().collect();
-    (!found.is_empty()).then(|| format!("RS {}.", found.join("; it ")))
+    let scale = at_scale(parts, &[Paper::Irreducible]);
+    (!found.is_empty()).then(|| format!("RS {}{scale}.", found.join("; it ")))
 }
 
 /// Counts what the papers contradict themselves in.

@@ -125,12 +125,18 @@ fn lrs_wins(duels: &[&Duel]) -> [usize; 3] {
 fn answer(both: &[&Duel]) -> String {
     let all = both.len();
     let [before, kept, after] = lrs_wins(both);
-    let short = match (before, kept) {
-        (0, _) if after == 0 => "LRS does not beat PS, with either augmentation.",
-        (0, _) => "LRS beats PS with the better augmentation only.",
-        (_, 0) => "No: with the better augmentation LRS no longer beats PS.",
-        (before, kept) if kept == before => "Yes: LRS still beats PS where it did.",
-        _ => "On some meshes only.",
+    let smaller = both.iter().find_map(|duel| duel.mesh.smaller_scale());
+    let short = match (before, kept, smaller) {
+        // The papers' ranking is of large meshes: a few small ones say nothing of it.
+        (_, _, Some(scale)) if 2 * before.max(after) <= all => format!(
+            "Undecided: at scale {} LRS beats PS on most meshes with neither augmentation.",
+            scale.id()
+        ),
+        (0, _, _) if after == 0 => "LRS does not beat PS, with either augmentation.".into(),
+        (0, _, _) => "LRS beats PS with the better augmentation only.".into(),
+        (_, 0, _) => "No: with the better augmentation LRS no longer beats PS where it did.".into(),
+        (before, kept, _) if kept == before => "Yes: LRS still beats PS where it did.".into(),
+        _ => "On some meshes only.".into(),
     };
     let meshes = counted(all, "mesh", "meshes");
     let text = format!(

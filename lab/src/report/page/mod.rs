@@ -48,6 +48,8 @@ struct Page<'a> {
     other_tables: Vec<table::TableView>,
     limits: Vec<String>,
     defects: Vec<String>,
+    /// True if the page has a place for pictures and none is drawn.
+    lacks_pictures: bool,
     machines: Vec<provenance::MachineView<'a>>,
     commands: Vec<provenance::GroupCommands<'a>>,
 }
@@ -56,11 +58,7 @@ struct Page<'a> {
 pub fn render(parts: &Parts) -> String {
     let topic = Topic::of(parts.summary);
     let is_own = topic.is_own();
-    let mut defects: Vec<String> = parts.defects.iter().map(ToString::to_string).collect();
-    // Only the papers' experiments ask for pictures.
-    if parts.pictures.is_empty() && !is_own {
-        defects.push("pictures/: no picture is there".into());
-    }
+    let defects: Vec<String> = parts.defects.iter().map(ToString::to_string).collect();
     let lrs_against_ps = lrs_against_ps::section(parts);
     let mut page = Page {
         style: include_str!("style.css"),
@@ -87,6 +85,8 @@ pub fn render(parts: &Parts) -> String {
         },
         limits: limits::limits(parts.summary, &topic),
         defects,
+        // Only the papers' experiments have pictures.
+        lacks_pictures: parts.pictures.is_empty() && !is_own,
         machines: provenance::machines(parts.results),
         commands: provenance::commands(parts.summary),
     };

@@ -124,6 +124,7 @@ fn sentence(cause: Cause) -> &'static str {
         Cause::StandIn => "Stand-in: the scans were not at hand",
         Cause::Implementation => "Implementation: the claim is about theirs, ours is another",
         Cause::Machine => "Machine: the claim is about theirs",
+        Cause::Scale => "Scale: the meshes are smaller than the papers'",
         Cause::Unknown => "Unknown: nobody has looked into it",
     }
 }
