@@ -53,8 +53,8 @@ pub trait CubicProblem: Problem {
     fn costs(&self, node: u32) -> [i128; 3];
 
     /// Returns for each side the neighbour's side of the same edge, from 0 to 2, if these are at
-    /// hand for all nodes; the solver need not find them then, and relies on them. Any of them where
-    /// there is no edge.
+    /// hand for all nodes; the solver need not find them then, and relies on them. Where there is
+    /// no edge, any of them.
     fn backs(&self, _node: u32) -> Option<[u8; 3]> {
         None
     }

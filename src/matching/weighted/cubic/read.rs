@@ -39,8 +39,8 @@ pub(super) fn joined_rows<N: Number>(
     })
 }
 
-/// Reads all nodes. `twin` returns what stands for a twin, of a node, its side, the neighbour and the
-/// cost; if it has nothing once, there are no rows.
+/// Reads all nodes. `twin` returns what stands for a twin, of a node, its side, the neighbour and
+/// the cost; if it has nothing once, there are no rows.
 fn read<N: Number>(
     problem: &impl CubicProblem,
     places: &Places,
