@@ -350,6 +350,25 @@ fn what_cannot_be_planned_or_run_is_refused_in_one_line() {
         let said = shop.refused("plan bad.toml");
         assert!(said.contains("bad.toml: line ") && said.contains(fault), "{said}");
     }
+    let tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    for folder in ["before", "after"] {
+        std::fs::create_dir(shop.path(folder)).unwrap();
+        std::fs::write(shop.path(folder).join("part.obj"), tetrahedron).unwrap();
+    }
+    let of_both = "files = [\n\"before/part.obj\",\n\"after/part.obj\"]\nmeshes = ";
+    let same = "files = [\"before/part.obj\", \"before/part.obj\"]\nmeshes = ";
+    for (from, to, line, files) in [
+        ("meshes = ", of_both, 12, ", of before/part.obj and after/part.obj;"),
+        ("meshes = ", same, 10, ", of before/part.obj and before/part.obj;"),
+        ("\"A5\"", "\"A5\", \"A5\"", 10, "\"A5\"; name a mesh once, rename a file, or make two"),
+    ] {
+        std::fs::write(shop.path("bad.toml"), EXPERIMENT.replacen(from, to, 1)).unwrap();
+        for verb in ["plan", "run"] {
+            let said = shop.refused(&format!("{verb} bad.toml"));
+            let fault = format!("bad.toml: line {line}: group \"all\" has two meshes named ");
+            assert!(said.contains(&fault) && said.contains(files), "{said}");
+        }
+    }
     std::fs::write(shop.path("torn.toml"), "name = ").unwrap();
     assert!(shop.refused("plan torn.toml").contains("torn.toml: line 1: "));
     assert!(shop.refused("run missing.toml").contains("missing.toml: "));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::data_folder::DataMesh;
 use super::job::Job;
-use super::planned_mesh::{MissingMeshError, PlannedMesh, Source};
+use super::planned_mesh::{PlannedMesh, PlannedMeshError, Source};
 use super::program_spec::ProgramSpec;
 use super::results::Planned;
 use super::run_id::{MeshId, RunId};
@@ -81,7 +81,7 @@ impl Plan {
         experiments: &[Experiment],
         scale: Scale,
         data: &[DataMesh],
-    ) -> Result<Self, MissingMeshError> {
+    ) -> Result<Self, PlannedMeshError> {
         let mut plan =
             Self { scale, blocks: Vec::new(), pictured: Vec::new(), remarks: Vec::new() };
         let groups = experiments.iter().flat_map(|experiment| &experiment.groups);
@@ -122,7 +122,7 @@ impl Plan {
         group: &MeshGroup,
         data: &[DataMesh],
         named: &[&String],
-    ) -> Result<(), MissingMeshError> {
+    ) -> Result<(), PlannedMeshError> {
         let mut meshes = Vec::new();
         for name in &group.meshes {
             let mesh = self.find_mesh(name, data);
@@ -135,6 +135,11 @@ impl Plan {
             let own: Vec<String> = meshes.iter().map(|mesh| mesh.name.clone()).collect();
             let others = self.other_data(data, named).into_iter();
             meshes.extend(others.filter(|mesh| !own.contains(&mesh.name)));
+        }
+        for (place, mesh) in meshes.iter().enumerate() {
+            if let Some(other) = meshes[..place].iter().find(|other| other.name == mesh.name) {
+                return Err(twice(experiment, group, [other, mesh]));
+            }
         }
         meshes.sort_by_key(|mesh| mesh.triangles);
         for mesh in meshes {
@@ -282,17 +287,37 @@ impl Block {
 }
 
 /// Makes the error that a mesh of a group is not known.
-fn unknown(experiment: &Experiment, name: &str, data: &[DataMesh]) -> MissingMeshError {
+fn unknown(experiment: &Experiment, name: &str, data: &[DataMesh]) -> PlannedMeshError {
     let known = paper::ALL.iter().map(|mesh| mesh.name);
     let known = known.chain(data.iter().map(|mesh| mesh.name.as_str()));
     let nearest = paper::called(name).map(|mesh| mesh.name).or_else(|| slip_of(name, known));
     let (place, nearest) = (experiment.place_of_mesh(name), nearest.map(str::to_owned));
-    MissingMeshError::Unknown { place, name: name.into(), nearest }
+    PlannedMeshError::Unknown { place, name: name.into(), nearest }
+}
+
+/// Makes the error that two meshes of a group have one name.
+fn twice(
+    experiment: &Experiment,
+    group: &MeshGroup,
+    meshes: [&PlannedMesh; 2],
+) -> PlannedMeshError {
+    let name = meshes[1].name.clone();
+    let paths: Vec<_> = meshes.into_iter().filter_map(PlannedMesh::path).collect();
+    let place = match paths.last().filter(|path| group.files.iter().any(|file| file == **path)) {
+        Some(path) => experiment.place_of_file(path),
+        None => experiment.place_of_mesh(&name),
+    };
+    let shown: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
+    let files = match &shown[..] {
+        [] => String::new(),
+        files => format!(", of {}", files.join(" and ")),
+    };
+    PlannedMeshError::Twice { place, group: group.name.clone(), name, files }
 }
 
 /// Makes the error that the mesh whose results are to be drawn is in no group.
-fn not_run(experiment: &Experiment, name: &str) -> MissingMeshError {
-    MissingMeshError::NotRun { place: experiment.place_of_mesh(name), name: name.into() }
+fn not_run(experiment: &Experiment, name: &str) -> PlannedMeshError {
+    PlannedMeshError::NotRun { place: experiment.place_of_mesh(name), name: name.into() }
 }
 
 /// Returns the seed of a run. It depends on names alone and is the same for each augmentation, so

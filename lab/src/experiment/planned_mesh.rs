@@ -30,9 +30,9 @@ pub enum Source {
     Made(PaperMesh, Scale),
 }
 
-/// A mesh of an experiment that is not at hand.
+/// A mesh of an experiment that is not at hand, or there twice.
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
-pub enum MissingMeshError {
+pub enum PlannedMeshError {
     /// A name is neither that of a mesh of the papers nor that of a file in a data folder.
     #[error(
         "{place}: {name:?} is no mesh of the papers and in no data folder; name its folder with \
@@ -55,6 +55,21 @@ pub enum MissingMeshError {
         /// The mesh.
         name: String,
     },
+    /// Two meshes of a group have one name: their runs would have the same rows.
+    #[error(
+        "{place}: group {group:?} has two meshes named {name:?}{files}; name a mesh once, rename a \
+         file, or make two groups"
+    )]
+    Twice {
+        /// File and line, or the experiment.
+        place: String,
+        /// The group.
+        group: String,
+        /// The name of both.
+        name: String,
+        /// The files, as they follow in a sentence.
+        files: String,
+    },
     /// A file that an experiment names is no mesh that can be converted.
     #[error("{place}: {}: {problem}", path.display())]
     File {
@@ -72,12 +87,12 @@ impl PlannedMesh {
     ///
     /// # Errors
     /// The file cannot be read, or is no mesh that can be converted.
-    pub fn of_file(path: &Path, place: impl FnOnce() -> String) -> Result<Self, MissingMeshError> {
+    pub fn of_file(path: &Path, place: impl FnOnce() -> String) -> Result<Self, PlannedMeshError> {
         let mesh = DataMesh::of_file(path.to_owned());
         match mesh.problem {
             None => Ok(Self::real(&mesh)),
             Some(problem) => {
-                Err(MissingMeshError::File { place: place(), path: path.to_owned(), problem })
+                Err(PlannedMeshError::File { place: place(), path: path.to_owned(), problem })
             }
         }
     }
@@ -102,6 +117,14 @@ impl PlannedMesh {
             triangles: mesh.triangles(),
             genus: mesh.genus,
             source: Source::Made(mesh, scale),
+        }
+    }
+
+    /// Returns its file, if it is from one.
+    pub fn path(&self) -> Option<&Path> {
+        match &self.source {
+            Source::File(path, _) => Some(path),
+            Source::Made(..) => None,
         }
     }
 

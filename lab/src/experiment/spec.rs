@@ -253,6 +253,11 @@ impl Experiment {
         if let Some(name) = names.into_iter().find(breaks) {
             return Err(SpecError::Name(name.clone()));
         }
+        for (place, group) in self.groups.iter().enumerate() {
+            if self.groups[..place].iter().any(|other| other.name == group.name) {
+                return Err(SpecError::TwoGroups(group.name.clone()));
+            }
+        }
         self.limits.check()?;
         for (place, program) in self.programs.iter().enumerate() {
             program.check(self.task)?;
@@ -457,6 +462,13 @@ mod tests {
         assert!(error.ends_with("the nearest is \"mine\""), "{error}");
         let twice = text.replace("[[group]]", program);
         assert!(Experiment::parse(&twice).unwrap_err().to_string().starts_with("two programs"));
+    }
+
+    #[test]
+    fn groups_have_names_of_their_own() {
+        let group = &TEXT[TEXT.find("[[group]]").unwrap()..];
+        let error = Experiment::parse(&format!("{TEXT}\n{group}")).unwrap_err().to_string();
+        assert!(error.starts_with("two groups are named \"g\""), "{error}");
     }
 
     /// As in `import --algorithm`.

@@ -61,6 +61,9 @@ pub enum SpecError {
     /// A name would break the lines of `runs.csv`.
     #[error("the name {0:?} is empty or has a line break or another control character")]
     Name(String),
+    /// Two groups have one name: runs on a mesh of both would have the same rows.
+    #[error("two groups are named {0:?}; rename one, or make them one")]
+    TwoGroups(String),
     /// A job is named twice for the same meshes: its runs would have the same rows.
     #[error("group {group:?} names {job} twice; name it once, with the repetitions that you want")]
     Twice {
