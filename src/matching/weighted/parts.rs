@@ -1,7 +1,8 @@
 //! The phases in parts of the nodes, at once on several threads, as far as that goes.
 //!
 //! A part is a range of nodes. Those with neighbours in other parts are its border, and nobody
-//! changes them: a search that would have to is left for the end, when all nodes are in view. The
+//! changes them: a search that would have to is left for later. With blossoms, each two neighbours
+//! among the parts become one then, until all nodes are in view; without, all parts at once. The
 //! parts depend on the number of nodes alone, so the threads do not change the result.
 
 use std::ops::{ControlFlow, Range};
