@@ -40,7 +40,7 @@ const SYMBOLS: [(&str, &str); 22] = [
     ),
     ("visited", "in a whole run: vertices that tests visit, or triangles that augmentations visit"),
     ("path", "augmenting path; its length counts pairs of neighbouring triangles"),
-    ("flips", "edges of the quads that the triangulation does not have"),
+    ("flips", "edges of the triangles paired that the triangulation given does not have"),
     ("scaled Jacobian", "shape of a quad: 1 for a rectangle, 0 or less where it is not convex"),
     (
         "PS, PS local",
