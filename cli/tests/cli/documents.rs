@@ -412,7 +412,13 @@ fn lists_of_what_open_works_with_are_those_of_the_algorithms() {
         ("--help", help(&["convert"]), "written as triangles. For ", "\n\n", &open),
         ("docs/cli.md", file("docs/cli.md"), "triangles are left over. For ", "|\n", &open),
         ("docs/convert.md", file("docs/convert.md"), "`--open` works with ", ".\n", &open),
-        ("docs/convert.md", file("docs/convert.md"), "\n- Closed surfaces only: ", ";", &closed),
+        (
+            "docs/convert.md",
+            file("docs/convert.md"),
+            "\n- Closed, two-sided surfaces only: ",
+            ";",
+            &closed,
+        ),
         (
             "python/triquad/_convert.py",
             file("python/triquad/_convert.py"),
