@@ -1,6 +1,7 @@
 //! `triquad import`.
 
 use std::collections::HashSet;
+use std::fmt;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
@@ -9,7 +10,7 @@ use triquad::mesh::refuse_endless;
 use triquad_lab::experiment::import::{self, ImportSettings, Imported, MissingPart};
 use triquad_lab::experiment::journal::Journal;
 use triquad_lab::experiment::machine;
-use triquad_lab::experiment::{RunRecord, Task};
+use triquad_lab::experiment::{Results, RunRecord, Task};
 use triquad_lab::meshes::paper::Scale;
 
 use crate::failure::Failure;
@@ -59,7 +60,7 @@ fn parse_mapping(text: &str) -> Result<(String, String), String> {
 
 /// Reads the file, adds its rows to the folder and writes the report.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let imported = read(arguments)?;
+    let mut imported = read(arguments)?;
     let out = &arguments.out;
     let failure = |error: std::io::Error| results_folder::unwritable(out, &error);
     let mut journal = Journal::open(out).map_err(|error| results_folder::closed(&error))?;
@@ -71,75 +72,97 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("imported by", machine::program()),
     ];
     let facts = facts.map(|(name, fact)| (name.to_owned(), fact)).into();
-    let algorithm = imported.algorithm.clone();
-    if algorithm != arguments.algorithm {
-        let (file, given) = (arguments.file.display(), &arguments.algorithm);
-        let why = "algorithms of triquad are called so in letters of either case";
-        stdio::note(&format!("{file}: note: {given} is taken as {algorithm}: {why}"));
-    }
-    let name = import::machine_name(&algorithm);
-    journal.note_machine(&name, facts).map_err(failure)?;
+    let machine = import::machine_name(&imported.algorithm);
+    journal.note_machine(&machine, facts).map_err(failure)?;
     journal.note_plan(imported.planned()).map_err(failure)?;
-    let cells = imported.planned().len();
-    let rows = imported.records.len();
-    let renamed = imported.renamed.map(|(from, to)| format!("; {from} taken as {to}"));
-    let (meshes, near_meshes) = (imported.renamed_meshes, imported.near_meshes);
-    let task = imported.records.first().map_or("", |record| record.id.job.task().id());
-    let earlier = journal.results().records.iter().map(|record| record.key.clone());
-    let mut keys: HashSet<String> = earlier.collect();
-    let new: HashSet<&String> = imported.records.iter().map(|record| &record.key).collect();
-    let is_staying = |record: &&RunRecord| record.machine == name && !new.contains(&record.key);
-    let staying = journal.results().records.iter().filter(is_staying).count();
-    let mut replaced = 0;
-    for record in imported.records {
-        replaced += usize::from(!keys.insert(record.key.clone()));
+    let counts = Counts::new(&imported, journal.results(), &machine);
+    for record in std::mem::take(&mut imported.records) {
         journal.append(record).map_err(failure)?;
     }
-    if let Some(note) = of_rounded(&imported.rounded) {
-        stdio::complain(&format!("{}: {note}", arguments.file.display()));
-    }
-    for (given, taken) in meshes {
-        let file = arguments.file.display();
-        let why = "the boxes of the paper on irreducible triangulations are called so";
-        stdio::note(&format!("{file}: note: {given} is taken as {taken}: {why}"));
-    }
-    for (given, near) in near_meshes {
-        let file = arguments.file.display();
-        stdio::note(&format!(
-            "{file}: note: {given:?} is taken as a mesh of your own; {near:?} is near"
-        ));
-    }
-    let staying = match staying {
-        0 => String::new(),
-        rows => format!(
-            "; {}",
-            counted(
-                rows,
-                format!("earlier row of {algorithm} stays"),
-                format!("earlier rows of {algorithm} stay")
-            )
-        ),
-    };
-    let replaced = match replaced {
-        0 => String::new(),
-        rows => format!(
-            "; {}",
-            counted(rows, "row replaces an earlier one", "rows replace earlier ones")
-        ),
-    };
-    for part in &imported.missing_parts {
-        let note = without_total(part);
-        stdio::complain(&format!("{}: {note}", arguments.file.display()));
-    }
+    print_notes(arguments, &imported);
     let written = report::write(out, journal.results())?;
-    stdio::say(&format!(
-        "{}: {} of {} ({task}) on {} taken in{}{replaced}{staying}",
-        written.page.as_deref().unwrap_or(out).display(),
-        counted(rows, "run", "runs"),
-        algorithm,
-        counted(cells, "mesh", "meshes"),
-        renamed.unwrap_or_default(),
-    ))
+    let page = written.page.as_deref().unwrap_or(out).display();
+    stdio::say(&format!("{page}: {counts}"))
+}
+
+/// How many rows were taken, and what became of earlier ones.
+struct Counts {
+    algorithm: String,
+    task: &'static str,
+    runs: usize,
+    meshes: usize,
+    replaced: usize,
+    /// Earlier rows of the same algorithm.
+    staying: usize,
+    /// A column taken as another.
+    renamed: Option<(&'static str, &'static str)>,
+}
+
+impl Counts {
+    /// Counts the rows of `imported` beside those that there are, of `machine` and others.
+    fn new(imported: &Imported, there: &Results, machine: &str) -> Self {
+        let mut keys: HashSet<&String> = there.records.iter().map(|run| &run.key).collect();
+        let replaced = imported.records.iter().filter(|run| !keys.insert(&run.key)).count();
+        let new: HashSet<&String> = imported.records.iter().map(|run| &run.key).collect();
+        let is_staying = |run: &&RunRecord| run.machine == machine && !new.contains(&run.key);
+        Self {
+            algorithm: imported.algorithm.clone(),
+            task: imported.records.first().map_or("", |run| run.id.job.task().id()),
+            runs: imported.records.len(),
+            meshes: imported.planned().len(),
+            replaced,
+            staying: there.records.iter().filter(is_staying).count(),
+            renamed: imported.renamed,
+        }
+    }
+}
+
+impl fmt::Display for Counts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { algorithm, task, replaced, staying, .. } = self;
+        let runs = counted(self.runs, "run", "runs");
+        let meshes = counted(self.meshes, "mesh", "meshes");
+        write!(f, "{runs} of {algorithm} ({task}) on {meshes} taken in")?;
+        if let Some((from, to)) = &self.renamed {
+            write!(f, "; {from} taken as {to}")?;
+        }
+        if *replaced > 0 {
+            let rows =
+                counted(*replaced, "row replaces an earlier one", "rows replace earlier ones");
+            write!(f, "; {rows}")?;
+        }
+        if *staying > 0 {
+            let one = format!("earlier row of {algorithm} stays");
+            let more = format!("earlier rows of {algorithm} stay");
+            write!(f, "; {}", counted(*staying, one, more))?;
+        }
+        Ok(())
+    }
+}
+
+/// Prints what may have been meant otherwise, and what is missing.
+fn print_notes(arguments: &Arguments, imported: &Imported) {
+    let file = arguments.file.display();
+    let taken = |given: &str, taken: &str, why: &str| {
+        stdio::note(&format!("{file}: note: {given} is taken as {taken}: {why}"));
+    };
+    if imported.algorithm != arguments.algorithm {
+        let why = "algorithms of triquad are called so in letters of either case";
+        taken(&arguments.algorithm, &imported.algorithm, why);
+    }
+    if let Some(note) = of_rounded(&imported.rounded) {
+        stdio::complain(&format!("{file}: {note}"));
+    }
+    for (given, ours) in &imported.renamed_meshes {
+        taken(given, ours, "the boxes of the paper on irreducible triangulations are called so");
+    }
+    for (given, near) in &imported.near_meshes {
+        let note = format!("{given:?} is taken as a mesh of your own; {near:?} is near");
+        stdio::note(&format!("{file}: note: {note}"));
+    }
+    for part in &imported.missing_parts {
+        stdio::complain(&format!("{file}: {}", without_total(part)));
+    }
 }
 
 /// Words why rows are not put beside runs on meshes of scale `there`.

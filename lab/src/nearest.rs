@@ -6,8 +6,8 @@ use std::cmp::Reverse;
 /// where none shares any, the one that is but a slip away. `None` if none is near.
 ///
 /// Letters of either case are the same. Words of up to four letters differ at their end at most. Of
-/// several, the one with the fewest other words is taken,
-/// then the one that takes the fewest edits. O(known · letters²).
+/// several, the one with the fewest other words is taken, then the one that takes the fewest edits.
+/// O(known · letters²).
 ///
 /// ```
 /// use triquad_lab::nearest::likely;

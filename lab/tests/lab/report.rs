@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use triquad::augmentation::Augmentation;
 use triquad::irreducible::Contractor;
 use triquad::pairing::{Algorithm, Expansion};
-use triquad_lab::experiment::import::{self, ImportSettings};
+use triquad_lab::experiment::import::{self, ImportSettings, Imported};
 use triquad_lab::experiment::{Job, Measured, Outcome, Results, RunRecord};
 use triquad_lab::meshes::MeshKind;
 use triquad_lab::meshes::paper::Scale;
@@ -216,8 +216,8 @@ fn stand_ins_extrapolation_and_disturbed_runs_are_told() {
     assert_eq!(field(&ratios, &["ir-B0"], "schipper_to_rs_tests"), "1.008");
 }
 
-#[test]
-fn imported_rows_and_ours_keep_the_kind_of_their_own_mesh() {
+/// Takes a table of results of a program of others, on meshes of the papers.
+fn theirs(text: &str) -> Imported {
     let settings = ImportSettings {
         algorithm: "theirs".into(),
         task: None,
@@ -225,8 +225,13 @@ fn imported_rows_and_ours_keep_the_kind_of_their_own_mesh() {
         mapping: Vec::new(),
         allows_other_meshes: false,
     };
+    import::read(text, &settings).unwrap()
+}
+
+#[test]
+fn imported_rows_and_ours_keep_the_kind_of_their_own_mesh() {
     let text = "mesh,total_seconds,triangles,quads\nbotijo,0.02,28544,14272\n";
-    let imported = import::read(text, &settings).unwrap();
+    let imported = theirs(text);
     let is_botijo = |run: &&mut RunRecord| run.id.mesh.name == "botijo";
     for ours in [MeshKind::StandIn, MeshKind::Generated] {
         let mut results = of_the_papers();
@@ -244,15 +249,8 @@ fn imported_rows_and_ours_keep_the_kind_of_their_own_mesh() {
 /// Tables of one kind of number have no rows of results that lack it, unless a run failed.
 #[test]
 fn rows_without_a_number_are_left_out_of_tables_of_memory_and_quality() {
-    let settings = ImportSettings {
-        algorithm: "theirs".into(),
-        task: None,
-        scale: Scale::Full,
-        mapping: Vec::new(),
-        allows_other_meshes: false,
-    };
     let has_rows = |text: &str| {
-        let imported = import::read(text, &settings).unwrap();
+        let imported = theirs(text);
         let mut results = of_the_papers();
         results.planned.extend(imported.planned());
         results.records.extend(imported.records);

@@ -317,7 +317,6 @@ fn columns(
     settings: &ImportSettings,
 ) -> Result<Vec<String>, ImportError> {
     let known = known_columns();
-    let nearest_of = |name: &str| likely(name, known.iter().map(String::as_str)).map(str::to_owned);
     let header: Vec<String> = header.iter().map(str::to_owned).collect();
     let is_same = |one: &str, other: &str| one.to_lowercase() == other.to_lowercase();
     // Names are those of `runs.csv` in letters of either case.
@@ -338,19 +337,31 @@ fn columns(
             return Err(ImportError::UnknownSource { name, has });
         }
         if to != "-" && !known.contains(&plain(to)) {
-            let nearest = nearest_of(to);
+            let nearest = nearest_of(to, &known);
             return Err(ImportError::UnknownTarget { name: to.clone(), nearest });
         }
     }
     let mapped = |name: &String| plain(mapping_of(name).map_or(name, |(_, to)| to));
     let columns: Vec<String> = header.iter().map(mapped).collect();
+    check_columns(&columns, &header, rows, &known)?;
+    Ok(columns)
+}
+
+/// Checks that every column is known and there once, with a mesh and a number among them. `header`
+/// has the names in the file.
+fn check_columns(
+    columns: &[String],
+    header: &[String],
+    rows: &[StringRecord],
+    known: &[String],
+) -> Result<(), ImportError> {
     let lacks_mesh = !columns.iter().any(|column| column == MESH);
     for (i, column) in columns.iter().enumerate().filter(|(_, column)| *column != "-") {
         if !known.contains(column) {
             let name = column.clone();
             return Err(match lacks_mesh && has_meshes(rows, i) {
                 true => ImportError::UnknownMeshColumn(name),
-                false => ImportError::UnknownColumn { name, nearest: nearest_of(column) },
+                false => ImportError::UnknownColumn { nearest: nearest_of(column, known), name },
             });
         }
         if columns[..i].contains(column) {
@@ -363,7 +374,12 @@ fn columns(
         return Err(ImportError::NoMesh { column, has: header.join(", ") });
     }
     columns.iter().find(|column| is_result(column)).ok_or(ImportError::NoNumber)?;
-    Ok(columns)
+    Ok(())
+}
+
+/// Returns the known column whose name is near.
+fn nearest_of(name: &str, known: &[String]) -> Option<String> {
+    likely(name, known.iter().map(String::as_str)).map(str::to_owned)
 }
 
 /// Returns whether a column has names of meshes alone: meshes of the papers, or files.
